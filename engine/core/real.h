@@ -1,0 +1,14 @@
+// Real: the arithmetic type of an engine source. Each is compiled once per precision, into a namespace of its own.
+#pragma once
+
+namespace ballpark::f32 {
+using Real = float;
+}
+namespace ballpark::f64 {
+using Real = double;
+}
+namespace ballpark::extended {
+using Real = long double;
+}
+
+#define BALLPARK_INLINE [[gnu::always_inline]] inline

@@ -1,0 +1,144 @@
+// How a body moves: which values are its state, and their rates under given loads. A motion is chosen for each group at
+// build, from what the scene calls for. All have the same members, so that an integrator is written once:
+//   size               number of values in the state y, of which [momenta_begin, momenta_end) change by forces
+//   Constants<V>       what is constant over a step, loaded once
+//   load, store        state between columns and registers; store also writes columns that follow from the state
+//   body               the quantities that effects read
+//   rates              y' under loads
+//   acceleration, second_rates   for Taylor-2: accelerations, and y'' under the loads' own rates
+//   spins, turns       has an angular momentum, a quaternion; momentum, quaternion: where they start in y
+#pragma once
+
+#include "engine/kernels/body.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+enum class MotionKind { point, spinning, oriented, rigid, pivoted };
+inline constexpr int motion_count = 5;
+inline constexpr int max_state_size = 13;
+
+template <class V>
+BALLPARK_INLINE Vector3<V> vector_from(const V* y) {
+  return {y[0], y[1], y[2]};
+}
+template <class V>
+BALLPARK_INLINE void put(V* y, const Vector3<V>& a) {
+  y[0] = a.x;
+  y[1] = a.y;
+  y[2] = a.z;
+}
+template <class V, std::size_t n>
+BALLPARK_INLINE void load_columns(Real* const (&columns)[n], std::size_t row, V* y) {
+  for (std::size_t c = 0; c < n; ++c) y[c] = load<V>(columns[c] + row);
+}
+template <class V, std::size_t n>
+BALLPARK_INLINE void store_columns(Real* const (&columns)[n], std::size_t row, const V* y) {
+  for (std::size_t c = 0; c < n; ++c) store(columns[c] + row, y[c]);
+}
+
+/// Translation (y = x, v) and, by `Spin`, rotation about the centre of mass.
+///   none: no rotation.  carried: L only (isotropic inertia, w = L / I).  oriented: L and q, isotropic inertia.
+///   rigid: L and q, w = R I^-1 R^T L.
+enum class Spin { none, carried, oriented, rigid };
+
+template <Spin kind>
+struct FreeMotion {
+  static constexpr bool spins = kind != Spin::none;
+  static constexpr bool turns = kind == Spin::oriented || kind == Spin::rigid;
+  static constexpr int momentum = 6, quaternion = 9;  // where they start in y
+  static constexpr int size = turns ? 13 : spins ? 9 : 6;
+  static constexpr int momenta_begin = 3, momenta_end = spins ? 9 : 6;
+
+  template <class V>
+  struct Constants {
+    std::size_t row;
+    V mass, inverse_mass;
+    V inverse_inertia[3];
+  };
+
+  template <class V>
+  BALLPARK_INLINE static Constants<V> constants(const BodyConstants& c, std::size_t row) {
+    Constants<V> k;
+    k.row = row;
+    k.mass = c.mass.at<V>(row);
+    k.inverse_mass = V(Real(1)) / k.mass;
+    if constexpr (spins) {
+      for (int i = 0; i < (kind == Spin::rigid ? 3 : 1); ++i) k.inverse_inertia[i] = c.inverse_inertia[i].at<V>(row);
+    }
+    return k;
+  }
+
+  template <class V>
+  BALLPARK_INLINE static void load(const StateColumns& s, std::size_t row, V* y) {
+    load_columns(s.position, row, y);
+    load_columns(s.velocity, row, y + 3);
+    if constexpr (spins) load_columns(s.momentum, row, y + momentum);
+    if constexpr (turns) load_columns(s.orientation, row, y + quaternion);
+  }
+
+  template <class V>
+  BALLPARK_INLINE static void store(const StateColumns& s, const Constants<V>& k, const V* y) {
+    store_columns(s.position, k.row, y);
+    store_columns(s.velocity, k.row, y + 3);
+    if constexpr (spins) store_columns(s.momentum, k.row, y + momentum);
+    if constexpr (turns) store_columns(s.orientation, k.row, y + quaternion);
+  }
+
+  /// I^-1 in the world frame, applied.
+  template <class V>
+  BALLPARK_INLINE static Vector3<V> over_inertia(const Constants<V>& k, const V* y, const Vector3<V>& a) {
+    if constexpr (kind == Spin::rigid) {
+      const Rotation<V> r(y[9], y[10], y[11], y[12]);
+      const Vector3<V> b = r.to_body(a);
+      return r.to_world({k.inverse_inertia[0] * b.x, k.inverse_inertia[1] * b.y, k.inverse_inertia[2] * b.z});
+    } else {
+      return k.inverse_inertia[0] * a;
+    }
+  }
+
+  template <class V>
+  BALLPARK_INLINE static Body<V> body(const Constants<V>& k, const V* y) {
+    Body<V> b{k.row, k.mass, vector_from(y), vector_from(y + 3), {}};
+    if constexpr (spins) b.spin = over_inertia(k, y, vector_from(y + momentum));
+    return b;
+  }
+
+  template <class V>
+  BALLPARK_INLINE static void rates(const Constants<V>& k, const V* y, const Body<V>& b, const Loads<V>& loads,
+                                    V* rate) {
+    put(rate, b.velocity);
+    put(rate + 3, k.inverse_mass * loads.force);
+    if constexpr (spins) put(rate + momentum, loads.torque);
+    if constexpr (turns) quaternion_rate(b.spin, y + quaternion, rate + quaternion);
+  }
+
+  /// Euler's equation in the world frame: I w' = torque - w x L. Isotropic bodies: w is along L.
+  template <class V>
+  BALLPARK_INLINE static Acceleration<V> acceleration(const Constants<V>& k, const V* y, const Body<V>& b,
+                                                      const Loads<V>& loads) {
+    Acceleration<V> a{k.inverse_mass * loads.force, {}};
+    if constexpr (kind == Spin::rigid) {
+      a.angular = over_inertia(k, y, loads.torque - cross(b.spin, vector_from(y + momentum)));
+    } else if constexpr (spins) {
+      a.angular = over_inertia(k, y, loads.torque);
+    }
+    return a;
+  }
+
+  template <class V>
+  BALLPARK_INLINE static void second_rates(const Constants<V>& k, const V* y, const Body<V>& b, const Loads<V>&,
+                                           const Acceleration<V>& a, const Loads<V>& load_rates, const V* rate,
+                                           V* second) {
+    put(second, a.linear);
+    put(second + 3, k.inverse_mass * load_rates.force);
+    if constexpr (spins) put(second + momentum, load_rates.torque);
+    if constexpr (turns) {
+      V turning[4], bending[4];
+      quaternion_rate(b.spin, rate + quaternion, turning);
+      quaternion_rate(a.angular, y + quaternion, bending);
+      for (int c = 0; c < 4; ++c) second[quaternion + c] = turning[c] + bending[c];
+    }
+  }
+};
+
+}  // namespace ballpark::BALLPARK_PRECISION

@@ -1,0 +1,212 @@
+// Single bodies: where they are, their state by value, and changes between steps.
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/world/inertia.h"
+#include "engine/world/world.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& message) {
+  throw SceneError(path, message);
+}
+
+void require_finite(const char* call, const char* what, const Vector3d& v) {
+  if (!v.allFinite()) refuse(call, std::string(what) + " is not finite, expected three numbers");
+}
+
+template <class V>
+Vector3d to_double(const Vector3<V>& a) {
+  return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
+}
+template <std::size_t n>
+Vector3<Real> read(Real* const (&columns)[n], std::size_t row) {
+  return {columns[0][row], columns[1][row], columns[2][row]};
+}
+void write(Real* const (&columns)[3], std::size_t row, const Vector3<Wide>& a) {
+  columns[0][row] = static_cast<Real>(a.x);
+  columns[1][row] = static_cast<Real>(a.y);
+  columns[2][row] = static_cast<Real>(a.z);
+}
+Vector3<Wide> widened(const Vector3<Real>& a) {
+  return {a.x, a.y, a.z};
+}
+
+Body<Real> body_at(const Group& group, std::size_t row) {
+  return with_motion(group.carried, [&]<class M>() {
+    const auto c = M::template constants<Real>(group.kernel.constants, row);
+    Real y[M::size];
+    M::load(group.kernel.state, row, y);
+    return M::body(c, y);
+  });
+}
+
+}  // namespace
+
+void place_pivoted(const Group& group, std::size_t row) {
+  const auto c = PivotedMotion::constants<Real>(group.kernel.constants, row);
+  Real y[PivotedMotion::size];
+  PivotedMotion::load(group.kernel.state, row, y);
+  PivotedMotion::store(group.kernel.state, c, y);
+}
+
+Vector3<Wide> momentum_for(const Group& group, std::size_t row, const Quaternion& orientation,
+                           const Vector3<Wide>& spin) {
+  const Real mass = group.kernel.constants.mass.at<Real>(row);
+  const Vector3<Wide> inertia = wide(group.inertia[group.inertia.size() == 1 ? 0 : row % group.per_copy]);
+  Vector3<Wide> arm;
+  if (group.motion == MotionKind::pivoted) arm = widened(vector_at<Real>(group.kernel.constants.arm, row));
+  if (!group.turns()) return momentum_in_body(inertia, Wide(mass), arm, spin);
+  const Rotation<Wide> r = rotation_of(orientation);
+  return r.to_world(momentum_in_body(inertia, Wide(mass), arm, r.to_body(spin)));
+}
+
+bool is_finite(const Group& group, std::size_t row) {
+  return with_motion(group.carried, [&]<class M>() {
+    Real y[M::size];
+    M::load(group.kernel.state, row, y);
+    for (const Real value : y) {
+      if (!std::isfinite(value)) return false;
+    }
+    return true;
+  });
+}
+
+World::Place World::place_of(std::size_t id) const {
+  const std::size_t copy = id / per_copy_, in_copy = id % per_copy_;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group& group = groups_[g];
+    const std::size_t index = in_copy - group.id_offset;  // wraps for groups behind it
+    if (in_copy >= group.id_offset && index < group.per_copy) return {g, copy * group.per_copy + index};
+  }
+  throw std::out_of_range("no body has this id");
+}
+
+World::Place World::known_place(std::size_t id, const char* call) const {
+  if (id >= body_count()) {
+    refuse(call,
+           "body " + std::to_string(id) + " does not exist, expected an id below " + std::to_string(body_count()));
+  }
+  return place_of(id);
+}
+
+std::size_t World::row_of(std::size_t id) const {
+  if (id >= body_count()) throw std::out_of_range("no body has this id");
+  const Place place = place_of(id);
+  return groups_[place.group].first_row + place.row;
+}
+
+std::size_t World::id_of(const Group& group, std::size_t row) const {
+  return row / group.per_copy * per_copy_ + group.id_offset + row % group.per_copy;
+}
+
+BodyState World::body(std::size_t id) const {
+  const auto [g, row] = known_place(id, "body");
+  const Group& group = groups_[g];
+  const Body<Real> b = body_at(group, row);
+  BodyState state{to_double(b.position), to_double(b.velocity), {}, to_double(b.spin), group.turns(), group.spins()};
+  if (group.turns()) {
+    const auto& q = group.kernel.state.orientation;
+    state.orientation = {static_cast<double>(q[0][row]), static_cast<double>(q[1][row]), static_cast<double>(q[2][row]),
+                         static_cast<double>(q[3][row])};
+  }
+  return state;
+}
+
+void World::set(std::size_t id, const BodyState& state) {
+  const auto [g, row] = known_place(id, "set");
+  const Group& group = groups_[g];
+  require_finite("set", "position", state.position);
+  require_finite("set", "velocity", state.velocity);
+  require_finite("set", "angular_velocity", state.angular_velocity);
+  const Quaternion& q = state.orientation;
+  if (state.has_orientation && !(std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) <= 2e-6)) {
+    refuse("set", "orientation is not a unit quaternion");
+  }
+  if (state.has_orientation && !group.turns()) refuse("set", "group " + group.name + " carries no orientation");
+  if (state.has_angular_velocity && !group.spins()) refuse("set", "group " + group.name + " carries no rotation");
+  const StateColumns& columns = group.kernel.state;
+  const BodyState now = body(id);
+  const Quaternion orientation = state.has_orientation ? q : now.orientation;
+  const Vector3d spin = state.has_angular_velocity ? state.angular_velocity : now.angular_velocity;
+  if (group.turns()) {
+    const double values[4] = {orientation.w, orientation.x, orientation.y, orientation.z};
+    for (int c = 0; c < 4; ++c) columns.orientation[c][row] = static_cast<Real>(values[c]);
+  }
+  if (group.spins()) write(columns.momentum, row, momentum_for(group, row, orientation, wide(spin)));
+  if (group.motion == MotionKind::pivoted) return place_pivoted(group, row);
+  write(columns.position, row, wide(state.position));
+  write(columns.velocity, row, wide(state.velocity));
+}
+
+/// A sudden change of momentum, and of angular momentum by its moment.
+void World::kick(const Place& place, const Vector3d& J, const Vector3d& offset) {
+  const Group& group = groups_[place.group];
+  const StateColumns& columns = group.kernel.state;
+  const std::size_t row = place.row;
+  const Body<Real> b = body_at(group, row);
+  Vector3<Wide> lever = wide(offset);
+  if (group.motion == MotionKind::pivoted) {
+    lever += widened(b.position - vector_at<Real>(group.kernel.constants.pivot, row));
+  } else {
+    write(columns.velocity, row, widened(b.velocity) + (1 / static_cast<Wide>(b.mass)) * wide(J));
+  }
+  if (group.spins()) write(columns.momentum, row, widened(read(columns.momentum, row)) + cross(lever, wide(J)));
+  if (group.motion == MotionKind::pivoted) place_pivoted(group, row);
+}
+
+void World::apply_impulse(std::size_t id, const Vector3d& J, const Vector3d& offset) {
+  const Place place = known_place(id, "apply_impulse");
+  require_finite("apply_impulse", "J", J);
+  require_finite("apply_impulse", "offset", offset);
+  if (!groups_[place.group].spins() && offset != Vector3d::Zero()) {
+    refuse("apply_impulse", "group " + groups_[place.group].name + " carries no rotation, expected an offset of zero");
+  }
+  kick(place, J, offset);
+}
+
+void World::schedule_impulse(const Impulse& impulse) {
+  const Place place = known_place(impulse.id, "apply_impulse_at");
+  require_finite("apply_impulse_at", "J", impulse.J);
+  require_finite("apply_impulse_at", "offset", impulse.offset);
+  if (!std::isfinite(impulse.at) || impulse.at < time()) {
+    refuse("apply_impulse_at", "at is " + std::to_string(impulse.at) + " s, expected a time from now on");
+  }
+  if (!groups_[place.group].spins() && impulse.offset != Vector3d::Zero()) {
+    refuse("apply_impulse_at",
+           "group " + groups_[place.group].name + " carries no rotation, expected an offset of zero");
+  }
+  add_event({impulse.at, impulse});
+}
+
+/// An instance of the effect `force` or `torque` for one body.
+void World::apply_load(const std::string& kind, std::size_t id, const Vector3d& load, double at, double until) {
+  const std::string call = "apply_" + kind;
+  const Place place = known_place(id, call.c_str());
+  require_finite(call.c_str(), kind.c_str(), load);
+  if (!(at < until)) refuse(call, "until is not after at");
+  Group& group = groups_[place.group];
+  const auto index = static_cast<std::size_t>(local_effect_index(kind));
+  const EffectInfo& info = local_effects()[index];
+  if (kind == "torque") {
+    if (!group.spins()) refuse(call, "group " + group.name + " carries no rotation");
+    group.motion = group.carried;  // a spin that was conserved so far now changes
+  }
+  std::map<std::string, Value> parameters{{kind, load}, {"at", at}, {"until", until}};
+  for (const ParameterInfo& p : info.description.parameters) {
+    if (p.fallback) parameters.emplace(p.name, *p.fallback);
+  }
+  std::vector<std::byte>& instances = group.effects[index];
+  instances.resize(instances.size() + info.constants_size);
+  void* constants = instances.data() + instances.size() - info.constants_size;
+  info.pack({parameters, 0, {}}, constants);
+  info.rows(constants)->row = static_cast<std::ptrdiff_t>(place.row);
+  group.kernel.forces.slots[index] = {instances.data(), static_cast<int>(instances.size() / info.constants_size)};
+  for (const double edge : {at, until}) {
+    if (std::isfinite(edge) && edge > time()) add_event({edge, {}});
+  }
+}
+
+}  // namespace ballpark::BALLPARK_PRECISION

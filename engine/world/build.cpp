@@ -1,0 +1,239 @@
+#include "engine/world/build.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/nearest.h"
+#include "engine/core/targets.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+namespace {
+
+bool all_isotropic(const BodyGroup& group) {
+  return std::all_of(group.inertia.begin(), group.inertia.end(),
+                     [](const Vector3d& i) { return i.x() == i.y() && i.y() == i.z(); });
+}
+
+/// Who needs the spin of this group, or turns it: the name of the first, "" if nobody.
+std::string spin_user(const Scene& scene, const BodyGroup& group, const std::vector<UserEffect>& users) {
+  for (const Effect& effect : scene.effects) {
+    if (!acts_on(effect, group) || effect.kind == "pivot") continue;
+    const EffectInfo& info = local_effects()[static_cast<std::size_t>(local_effect_index(effect.kind))];
+    const auto offset = effect.parameters.find("offset");
+    const bool turns = info.exerts("torque") &&
+                       (effect.kind == "torque" ||
+                        (offset != effect.parameters.end() && std::get<Vector3d>(offset->second) != Vector3d::Zero()));
+    if (info.reads("spin") || turns) return effect.kind;
+  }
+  for (const UserEffect& user : users) {
+    if (user.needs_rotation && acts_on({.kind = {}, .groups = user.groups, .parameters = {}}, group)) return user.name;
+  }
+  return "";
+}
+
+bool is_kicked_off_centre(const Scene& scene, std::size_t first_id, std::size_t count) {
+  return std::any_of(scene.impulses.begin(), scene.impulses.end(), [&](const Impulse& i) {
+    return i.offset != Vector3d::Zero() && i.id >= first_id && i.id < first_id + count;
+  });
+}
+
+}  // namespace
+
+Builder::Builder(World& world, const Scene& scene, const Options& options)
+    : world_(world), scene_(scene), options_(options) {}
+
+void Builder::build() {
+  problems_ = ballpark::check(scene_);
+  check_options();
+  if (!problems_.empty()) throw SceneError(problems_);
+  world_.row_ = find_row(scene_.run.integrator);
+  world_.step_ = scene_.run.step;
+  world_.method_ = method_for(*world_.row_, world_.step_);
+  world_.kernels_ = kernel_table(options_.target);
+  world_.copies_ = static_cast<std::size_t>(options_.copies);
+  for (std::size_t g = 0; g < scene_.bodies.size(); ++g) choose_motion(g);
+  choose_path();
+  place_groups();
+  add_state_columns();
+  for (Group& group : world_.groups_) {
+    fill_constants(group);
+    fill_state(group);
+    add_effects(group);
+    if (scene_.run.compensated) add_carry(group);
+    if (!world_.fused_) add_scratch(group);
+  }
+  add_blocks();
+  add_events();
+}
+
+void Builder::check_options() {
+  const auto refuse = [this](const char* what, const std::string& message) { problems_.push_back({what, message}); };
+  if (options_.threads < 0) refuse("threads", "is negative, expected a number of threads, or 0 for all cores");
+  if (options_.copies < 1) refuse("copies", "is " + std::to_string(options_.copies) + ", expected at least 1");
+  if (!std::isfinite(options_.perturb)) refuse("perturb", "is not finite");
+  std::vector<std::string> names{"auto"};
+  for (const Target& target : known_targets()) names.push_back(target.name);
+  if (std::find(names.begin(), names.end(), options_.target) == names.end()) {
+    refuse("target", "unknown target \"" + options_.target + "\"" + suggestion(options_.target, names));
+  } else if (resolve_target(options_.target).empty()) {
+    refuse("target", "this machine cannot run " + options_.target);
+  }
+  for (const UserEffect& user : world_.users_) {
+    const bool callable = std::is_same_v<Real, float> ? bool(user.run_single) : bool(user.run_double);
+    if (!callable || std::is_same_v<Real, long double>) {
+      refuse("user effects", "\"" + user.name + "\" has no function for this precision");
+    }
+    if (scene_.run.integrator == "taylor2") {
+      refuse("run.integrator", "taylor2 needs the time derivative of every force, which user effect \"" + user.name +
+                                   "\" cannot give; expected another integrator, e.g. midpoint");
+    }
+  }
+  if (options_.path == Path::fused && !world_.users_.empty()) {
+    refuse("path", "user effects take the staged path, expected automatic or staged");
+  }
+}
+
+/// What the group must carry, from what the scene gives and asks for.
+void Builder::choose_motion(std::size_t g) {
+  const BodyGroup& body = scene_.bodies[g];
+  Group group;
+  group.name = body.name;
+  group.scene_index = g;
+  group.per_copy = body_count(body);
+  group.id_offset = world_.per_copy_;
+  group.live = group.per_copy * world_.copies_;
+  world_.per_copy_ += group.per_copy;
+  const std::string user = spin_user(scene_, body, world_.users_);
+  const bool kicked = is_kicked_off_centre(scene_, group.id_offset, group.per_copy);
+  const bool spins = !body.angular_velocity.empty() || kicked ||
+                     (body.generate && body.generate->angular_velocity_spread != Vector3d::Zero());
+  const bool turns = !body.orientation.empty() || (body.generate && body.generate->random_orientation);
+  const auto choose = [&](MotionKind carried, MotionKind motion, const std::string& why) {
+    group.carried = carried;
+    group.motion = motion;
+    group.why = why;
+  };
+  const auto narrowed = [&](const std::string& what) { world_.narrowed_.push_back(body.name + ": " + what); };
+  if (pivot_of(scene_, body)) {
+    choose(MotionKind::pivoted, MotionKind::pivoted, "turns about a fixed point (pivot)");
+  } else if (!rotates(body)) {
+    choose(MotionKind::point, MotionKind::point, "particles: no shape, no inertia");
+  } else if (!all_isotropic(body)) {
+    if (spins || !user.empty()) {
+      choose(MotionKind::rigid, MotionKind::rigid, "three moments of inertia: spin depends on orientation");
+    } else {
+      choose(turns ? MotionKind::rigid : MotionKind::point, MotionKind::point, "no spin and no torque in this scene");
+      narrowed("nothing turns these bodies: no rotation is computed");
+    }
+  } else if (turns && (spins || !user.empty())) {
+    choose(MotionKind::oriented, MotionKind::oriented, "orientation is given, one moment of inertia");
+    narrowed("isotropic inertia: no gyroscopic term, w = L / I");
+  } else if (!user.empty()) {
+    choose(MotionKind::spinning, MotionKind::spinning, "spin is used by " + user);
+    narrowed("no orientation: nobody asks for it");
+  } else {
+    choose(turns   ? MotionKind::oriented
+           : spins ? MotionKind::spinning
+                   : MotionKind::point,
+           MotionKind::point,
+           spins ? "spin is given but no torque changes it and no force reads it" : "nothing reads or changes spin");
+    narrowed(spins ? "no torque: angular momentum is kept, not integrated" : "no effect needs spin: none is carried");
+  }
+  world_.groups_.push_back(std::move(group));
+}
+
+/// Groups that carry more columns come last, so that each column covers one range of rows.
+void Builder::place_groups() {
+  const auto carries = [](const Group& g) { return int(g.spins()) + int(g.turns()); };
+  std::stable_sort(world_.groups_.begin(), world_.groups_.end(),
+                   [&](const Group& a, const Group& b) { return carries(a) < carries(b); });
+  std::size_t row = 0;
+  for (Group& group : world_.groups_) {
+    group.first_row = row;
+    row += padded(group.live);
+  }
+}
+
+void Builder::add_state_columns() {
+  std::vector<Group>& groups = world_.groups_;
+  const std::size_t end = groups.empty() ? 0 : groups.back().first_row + padded(groups.back().live);
+  const auto first = [&](auto carries) {
+    const auto group = std::find_if(groups.begin(), groups.end(), carries);
+    return group == groups.end() ? end : group->first_row;
+  };
+  const std::size_t spinning = first([](const Group& g) { return g.spins(); });
+  const std::size_t turning = first([](const Group& g) { return g.turns(); });
+  Columns& columns = world_.columns_;
+  Column& position = columns.add({"position", "m", 3, Role::state, "every body"}, 0, end);
+  Column& velocity = columns.add({"velocity", "m/s", 3, Role::state, "every body"}, 0, end);
+  const auto add = [&](const char* name, const char* unit, int components, const char* why, std::size_t begin) {
+    return begin < end ? &columns.add({name, unit, components, Role::state, why}, begin, end - begin) : nullptr;
+  };
+  Column* orientation = add("orientation", "1", 4, "given by the scene, or inertia with three moments", turning);
+  Column* momentum = add("angular_momentum", "kg m^2/s", 3, "spin given by the scene or used by an effect", spinning);
+  for (Group& group : groups) {
+    StateColumns& state = group.kernel.state;
+    for (int c = 0; c < 3; ++c) {
+      state.position[c] = position.at(c, group.first_row);
+      state.velocity[c] = velocity.at(c, group.first_row);
+      if (group.spins()) state.momentum[c] = momentum->at(c, group.first_row);
+    }
+    for (int c = 0; c < 4 && group.turns(); ++c) state.orientation[c] = orientation->at(c, group.first_row);
+  }
+}
+
+/// Blocks never straddle groups; the last one of a group takes the padding.
+void Builder::add_blocks() {
+  for (std::size_t g = 0; g < world_.groups_.size(); ++g) {
+    const std::size_t rows = padded(world_.groups_[g].live);
+    for (std::size_t first = 0; first < rows; first += block_length) {
+      world_.blocks_.push_back({g, first, std::min(first + block_length, rows)});
+    }
+  }
+}
+
+/// Impulses of every copy, and the ends of windows, by time.
+void Builder::add_events() {
+  for (std::size_t copy = 0; copy < world_.copies_; ++copy) {
+    for (Impulse impulse : scene_.impulses) {
+      impulse.id += copy * world_.per_copy_;
+      world_.add_event({impulse.at, impulse});
+    }
+  }
+  for (Group& group : world_.groups_) {
+    for (std::size_t e = 0; e < group.effects.size(); ++e) {
+      const EffectInfo& info = local_effects()[e];
+      for (std::size_t at = 0; info.window && at < group.effects[e].size(); at += info.constants_size) {
+        const Window& window = *info.window(group.effects[e].data() + at);
+        for (const double edge : {window.at, window.until}) {
+          if (std::isfinite(edge) && edge > 0) world_.add_event({edge, {}});
+        }
+      }
+    }
+  }
+}
+
+void Builder::choose_path() {
+  if (!world_.users_.empty()) {
+    world_.fused_ = false;
+    world_.path_reason_ = "user effects run as passes of their own";
+  } else if (options_.path == Path::staged) {
+    world_.fused_ = false;
+    world_.path_reason_ = "asked for; every effect is local, so the fused path would give the same bits faster";
+  } else {
+    world_.fused_ = true;
+    world_.path_reason_ = "every effect needs only its own body: one kernel does the whole step in registers";
+  }
+}
+
+World::World(const Scene& scene, const Options& options, std::vector<UserEffect> user_effects)
+    : users_(std::move(user_effects)), workers_(std::max(options.threads, 0)) {
+  Builder(*this, scene, options).build();
+}
+
+std::unique_ptr<WorldInterface> make_world(const Scene& scene, const Options& options, std::vector<UserEffect> users) {
+  return std::make_unique<World>(scene, options, std::move(users));
+}
+
+}  // namespace ballpark::BALLPARK_PRECISION

@@ -1,0 +1,50 @@
+// From a scene to a world: the only place that decides what exists.
+#pragma once
+
+#include "engine/world/check.h"
+#include "engine/world/start.h"
+#include "engine/world/world.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+class Builder {
+ public:
+  Builder(World& world, const Scene& scene, const Options& options);
+  void build();
+
+ private:
+  void check_options();
+  void choose_motion(std::size_t g);
+  void place_groups();
+  void add_state_columns();
+  void fill_constants(Group& group);
+  void fill_state(Group& group);
+  void fill_row(Group& group, std::size_t row, const Start& start);
+  void repeat_last_row(Group& group);
+  void add_effects(Group& group);
+  void check_stability(const Group& group, const Stiffness& stiffness);
+  void add_carry(Group& group);
+  void add_scratch(Group& group);
+  void add_blocks();
+  void add_events();
+  void choose_path();
+
+  /// A constant of the group: a value if it is equal for all bodies, else a column.
+  template <int n, class F>
+  void constant(Group& group, const char* name, const char* unit, PerBody (&out)[n], const char* why, F values_of_body);
+
+  World& world_;
+  const Scene& scene_;
+  const Options& options_;
+  std::vector<Problem> problems_;
+};
+
+/// The largest step at which the group's stiffest response does not grow under the method [s]; infinity if none is
+/// stiff; 0 if it grows at every step. `growth` is its amplification per step of size h.
+struct StepLimit {
+  double largest = 0;
+  double growth = 1;
+};
+StepLimit step_limit(const Row& row, double h, double mass, const Stiffness& stiffness);
+
+}  // namespace ballpark::BALLPARK_PRECISION

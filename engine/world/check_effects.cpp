@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/nearest.h"
+#include "engine/world/check.h"
+
+namespace ballpark {
+
+namespace {
+
+const char* type_of(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::number:
+      return "a number";
+    case ParameterKind::vector:
+      return "three numbers [x, y, z]";
+    case ParameterKind::vectors:
+      return "three numbers [x, y, z], or a row of them for each body";
+    case ParameterKind::word:
+      return "a word";
+  }
+  return "";
+}
+
+bool has_type(const Value& value, ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::number:
+      return std::holds_alternative<double>(value);
+    case ParameterKind::vector:
+      return std::holds_alternative<Vector3d>(value);
+    case ParameterKind::vectors:
+      return std::holds_alternative<Vector3d>(value) || std::holds_alternative<std::vector<Vector3d>>(value);
+    case ParameterKind::word:
+      return std::holds_alternative<std::string>(value);
+  }
+  return false;
+}
+
+struct EffectCheck {
+  const Scene& scene;
+  const Effect& effect;
+  std::size_t index;
+  Problems& problems;
+
+  std::string path(const std::string& key) const { return path_of("effects", index, key.c_str()); }
+
+  void run() {
+    std::vector<std::string> kinds;
+    for (const EffectDescription& description : effects()) kinds.push_back(description.name);
+    if (!problems.known(path("kind"), "effect", effect.kind, kinds)) return;
+    const EffectDescription& description = *find_effect(effect.kind);
+    check_groups();
+    bool sound = true;
+    std::vector<std::string> names;
+    for (const ParameterInfo& info : description.parameters) {
+      names.push_back(info.name);
+      sound = check_parameter(info) && sound;
+    }
+    for (const auto& [key, value] : effect.parameters) problems.known(path(key), "parameter", key, names);
+    if (sound) check_meaning(description);
+  }
+
+  void check_groups() {
+    std::vector<std::string> names;
+    for (const BodyGroup& group : scene.bodies) names.push_back(group.name);
+    for (std::size_t i = 0; i < effect.groups.size(); ++i) {
+      problems.known(path_of(path("groups"), i, effect.groups.size()), "group", effect.groups[i], names);
+    }
+  }
+
+  bool check_parameter(const ParameterInfo& info) {
+    const auto found = effect.parameters.find(info.name);
+    const std::string at = path(info.name);
+    if (found == effect.parameters.end()) {
+      if (info.fallback) return true;
+      problems.add(at, fmt::format("is missing, expected {} [{}]: {}", type_of(info.kind), info.unit, info.doc));
+      return false;
+    }
+    if (!has_type(found->second, info.kind)) {
+      problems.add(at, fmt::format("expected {} [{}]", type_of(info.kind), info.unit));
+      return false;
+    }
+    return check_value(info, found->second, at);
+  }
+
+  bool check_value(const ParameterInfo& info, const Value& value, const std::string& at) {
+    if (const auto* number = std::get_if<double>(&value)) {
+      const bool may_be_infinite = info.fallback && std::get_if<double>(&*info.fallback) &&
+                                   std::isinf(std::get<double>(*info.fallback)) && !std::isnan(*number);
+      if (!may_be_infinite && !problems.finite(at, *number, info.unit.c_str())) return false;
+      if (*number >= info.minimum && *number <= info.maximum) return true;
+      const std::string bound = *number < info.minimum ? ">= " + text(info.minimum) : "<= " + text(info.maximum);
+      problems.add(at, fmt::format("is {}, expected a number {} [{}]", text(*number), bound, info.unit));
+      return false;
+    }
+    if (const auto* vector = std::get_if<Vector3d>(&value)) return problems.finite(at, *vector, info.unit.c_str());
+    if (const auto* rows = std::get_if<std::vector<Vector3d>>(&value)) {
+      for (std::size_t i = 0; i < rows->size(); ++i) {
+        if (!problems.finite(path_of(at, i, rows->size()), (*rows)[i], info.unit.c_str())) return false;
+      }
+    }
+    return true;
+  }
+
+  /// What parameters mean together, and for the groups that the effect acts on.
+  void check_meaning(const EffectDescription& description) {
+    const auto parameters = complete_parameters(effect, description);
+    const auto at = parameters.find("at"), until = parameters.find("until");
+    if (at != parameters.end() && until != parameters.end() &&
+        !(std::get<double>(at->second) < std::get<double>(until->second))) {
+      problems.add(path("until"),
+                   fmt::format("is {} s, expected a time after at = {} s", text(std::get<double>(until->second)),
+                               text(std::get<double>(at->second))));
+    }
+    for (const BodyGroup& group : scene.bodies) {
+      if (!acts_on(effect, group)) continue;
+      check_rotation(description, parameters, group);
+      for (const ParameterInfo& info : description.parameters) {
+        if (info.kind != ParameterKind::vectors) continue;
+        const std::size_t rows = std::get<std::vector<Vector3d>>(parameters.at(info.name)).size();
+        if (rows != 1 && rows != body_count(group)) {
+          problems.add(path(info.name), fmt::format("has {} rows, expected one, or one for each of the {} bodies of {}",
+                                                    rows, body_count(group), group.name));
+        }
+      }
+    }
+  }
+
+  void check_rotation(const EffectDescription& description, const std::map<std::string, Value>& parameters,
+                      const BodyGroup& group) {
+    const bool pivots = description.name == "pivot";
+    if (pivots && pivot_of(scene, group) != &effect)
+      problems.add(path("kind"), "group " + group.name + " has a pivot already");
+    if (rotates(group) || pivots || pivot_of(scene, group)) return;
+    const auto& reads = description.reads;
+    if (std::find(reads.begin(), reads.end(), "spin") != reads.end()) {
+      problems.add(path("groups"), description.name + " needs spin, but group " + group.name +
+                                       " are particles: expected bodies with a shape or an inertia");
+    }
+    const auto offset = parameters.find("offset");
+    const bool off_centre = offset != parameters.end() && std::get<Vector3d>(offset->second) != Vector3d::Zero();
+    if (off_centre) problems.add(path("offset"), "group " + group.name + " are particles, expected an offset of zero");
+    if (description.name == "torque")
+      problems.add(path("groups"), "group " + group.name + " are particles, which a torque cannot turn");
+  }
+};
+
+}  // namespace
+
+bool acts_on(const Effect& effect, const BodyGroup& group) {
+  return effect.groups.empty() ||
+         std::find(effect.groups.begin(), effect.groups.end(), group.name) != effect.groups.end();
+}
+
+const Effect* pivot_of(const Scene& scene, const BodyGroup& group) {
+  for (const Effect& effect : scene.effects) {
+    if (effect.kind == "pivot" && acts_on(effect, group)) return &effect;
+  }
+  return nullptr;
+}
+
+const EffectDescription* find_effect(const std::string& kind) {
+  for (const EffectDescription& description : effects()) {
+    if (description.name == kind) return &description;
+  }
+  return nullptr;
+}
+
+std::map<std::string, Value> complete_parameters(const Effect& effect, const EffectDescription& description) {
+  std::map<std::string, Value> all = effect.parameters;
+  for (const ParameterInfo& info : description.parameters) {
+    if (info.fallback) all.emplace(info.name, *info.fallback);
+    Value& value = all.at(info.name);
+    if (info.kind == ParameterKind::vectors && std::holds_alternative<Vector3d>(value)) {
+      value = std::vector<Vector3d>{std::get<Vector3d>(value)};
+    }
+  }
+  return all;
+}
+
+void check_effects(const Scene& scene, Problems& problems) {
+  for (std::size_t i = 0; i < scene.effects.size(); ++i) EffectCheck{scene, scene.effects[i], i, problems}.run();
+}
+
+}  // namespace ballpark

@@ -1,0 +1,38 @@
+#include "engine/core/targets.h"
+#include "engine/world/world.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+const KernelTable* kernel_table(const std::string& target) {
+  const std::string name = resolve_target(target);
+  if (name.empty()) return nullptr;
+#if BALLPARK_TARGETS > 1
+  if constexpr (!std::is_same_v<Real, long double>) {  // extended precision has base kernels only
+    if (name == "v3") return &kernel_table_v3();
+    if (name == "v4") return &kernel_table_v4();
+  }
+#endif
+  return &kernel_table_base();
+}
+
+const char* name(MotionKind kind) {
+  switch (kind) {
+    case MotionKind::point:
+      return "point";
+    case MotionKind::spinning:
+      return "spinning";
+    case MotionKind::oriented:
+      return "oriented";
+    case MotionKind::rigid:
+      return "rigid";
+    case MotionKind::pivoted:
+      return "pivoted";
+  }
+  return "";
+}
+
+int state_size(MotionKind kind) {
+  return with_motion(kind, []<class M>() { return M::size; });
+}
+
+}  // namespace ballpark::BALLPARK_PRECISION

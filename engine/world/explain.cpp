@@ -1,0 +1,246 @@
+// What exists in a world and why, with the bytes and flops of each pass.
+#include <algorithm>
+
+#include "engine/world/world.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+namespace {
+
+/// Values of state that a step reads and writes, and the arithmetic of body() and rates(), for one body.
+struct MotionCost {
+  int reads, writes, flops;
+};
+
+MotionCost cost(MotionKind kind) {
+  switch (kind) {
+    case MotionKind::point:
+      return {6, 6, 3};
+    case MotionKind::spinning:
+      return {9, 9, 6};
+    case MotionKind::oriented:
+      return {13, 13, 32};
+    case MotionKind::rigid:
+      return {13, 13, 86};
+    case MotionKind::pivoted:
+      return {7, 13, 190};  // position and velocity follow, and are written
+  }
+  return {};
+}
+
+std::vector<std::string> state_names(MotionKind kind) {
+  if (kind == MotionKind::pivoted) return {"orientation", "angular_momentum"};
+  std::vector<std::string> names{"position", "velocity"};
+  if (kind != MotionKind::point) names.push_back("angular_momentum");
+  if (kind == MotionKind::oriented || kind == MotionKind::rigid) names.push_back("orientation");
+  return names;
+}
+
+std::vector<std::string> with_prefix(const char* prefix, std::vector<std::string> names) {
+  for (std::string& name : names) name = prefix + name;
+  return names;
+}
+
+/// Coefficients that are not zero: terms of the sums that a method forms.
+struct Terms {
+  int stages = 0;  ///< over all phases
+  int weights = 0;
+};
+
+Terms terms(const Method& m) {
+  Terms t;
+  for (int i = 0; i < m.phases; ++i) {
+    for (int j = 0; j < i; ++j) t.stages += m.a[i][j] != 0;
+    t.weights += m.b[i] != 0;
+    if (m.family == Family::splitting) t.weights += (m.kick[i] != 0) + (m.drift[i] != 0);
+  }
+  if (m.family == Family::taylor) t.weights = 2;
+  return t;
+}
+
+/// Builds the pass list of one group.
+struct PassWriter {
+  const Group& group;
+  const Method& method;
+  const Columns& columns;
+  const std::string& reason;
+  std::vector<PassReport>& passes;
+  double real = static_cast<double>(sizeof(Real));
+  MotionCost motion = cost(group.motion);
+  int size = state_size(group.motion);
+  Terms count = terms(method);
+
+  double effect_flops() const {
+    double sum = 0;
+    for (std::size_t e = 0; e < group.effects.size(); ++e) {
+      sum += local_effects()[e].description.flops * group.kernel.forces.slots[e].count;
+    }
+    return sum;
+  }
+  /// Constant columns that a pass reads, by name, and their values for one body.
+  std::vector<std::string> constant_names(int& values) const {
+    std::vector<std::string> names;
+    values = 0;
+    for (const Column& column : columns.all()) {
+      if (column.info.role != Role::constant || !column.covers(group.first_row)) continue;
+      names.push_back(column.info.name);
+      values += column.info.components;
+    }
+    return names;
+  }
+  void add(const char* name, std::vector<std::string> reads, std::vector<std::string> writes, double values,
+           double flops, int calls, const std::string& why) {
+    int constants = 0;
+    for (const std::string& column : constant_names(constants)) reads.push_back(column);
+    passes.push_back(
+        {name, group.name, std::move(reads), std::move(writes), (values + constants) * real, flops, calls, why});
+  }
+
+  std::vector<std::string> written() const {
+    return group.motion == MotionKind::pivoted
+               ? std::vector<std::string>{"position", "velocity", "orientation", "angular_momentum"}
+               : state_names(group.motion);
+  }
+
+  void fused() {
+    const double flops =
+        method.phases * (motion.flops + effect_flops()) + 2.0 * size * (count.stages + count.weights) + size;
+    add("fused_step", state_names(group.motion), written(), motion.reads + motion.writes, flops, 1, reason);
+  }
+
+  void staged() {
+    const auto trial = with_prefix("trial_", written());
+    std::vector<std::string> sums;
+    const double phases = method.phases;
+    const bool moves = method.family == Family::splitting;
+    const double moved = moves ? motion.writes * (phases - 1) / phases : 0;  // kicks and drifts between phases
+    auto reads = state_names(group.motion);
+    if (count.stages > 0 || moves) reads.push_back("rates");
+    const double stage_terms = moves ? (phases - 1) / phases : count.stages / phases;
+    add("prepare", reads, trial, motion.reads + motion.writes + moved + size * stage_terms, 2 * size * stage_terms,
+        method.phases, "trial state of each phase");
+    if (!group.users.empty()) {
+      sums = group.spins() ? std::vector<std::string>{"force", "torque"} : std::vector<std::string>{"force"};
+      const double values = motion.writes + 3.0 * static_cast<double>(sums.size());
+      add("user_effects", trial, sums, values, 0, method.phases, "user effects (their flops are not known)");
+    }
+    auto loads = with_prefix("trial_", state_names(group.motion));
+    loads.insert(loads.end(), sums.begin(), sums.end());
+    add("evaluate", loads, {"rates"}, motion.reads + size + 3.0 * static_cast<double>(sums.size()),
+        motion.flops + effect_flops(), method.phases, "rates of each phase");
+    auto ends = state_names(group.motion);
+    ends.push_back("rates");
+    add("finish", ends, written(), motion.reads + motion.writes + size * std::max(count.weights, 1),
+        2.0 * size * count.weights + size, 1, "the state after the step");
+  }
+};
+
+std::string text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%g", value);
+  return buffer;
+}
+
+GroupReport report(const Group& group, const std::vector<UserEffect>& users) {
+  GroupReport r{group.name, name(group.motion), group.live, group.why, {}, {}};
+  if (group.motion == MotionKind::pivoted) r.effects.push_back("pivot");
+  for (std::size_t e = 0; e < group.effects.size(); ++e) {
+    const int count = group.kernel.forces.slots[e].count;
+    const std::string& effect = local_effects()[e].description.name;
+    if (count > 0) r.effects.push_back(count == 1 ? effect : effect + " x" + std::to_string(count));
+  }
+  for (const std::size_t u : group.users) r.effects.push_back(users[u].name);
+  const auto unit = [](const std::string& key) { return key == "mass" ? " kg" : key == "radius" ? " m" : " kg/m^3"; };
+  for (const auto& [key, value] : group.constants) r.constants.push_back(key + " = " + text(value) + unit(key));
+  return r;
+}
+
+std::vector<std::string> what_is_off(const std::vector<Group>& groups, bool fused, bool users) {
+  std::vector<std::string> off;
+  const auto none = [&](auto has) { return std::none_of(groups.begin(), groups.end(), has); };
+  if (none([](const Group& g) { return g.turns(); })) off.push_back("orientation");
+  if (none([](const Group& g) { return g.motion != MotionKind::point; })) off.push_back("torque");
+  if (none([](const Group& g) { return g.spins(); })) off.push_back("angular momentum");
+  if (fused) off.push_back("rate columns and passes for each stage");
+  if (!users) off.push_back("force sums");
+  off.push_back("grid");
+  off.push_back("pairs");
+  off.push_back("contacts");
+  for (std::size_t e = 0; e < LocalEffects::count; ++e) {
+    if (none([e](const Group& g) { return g.kernel.forces.slots[e].count > 0; })) {
+      off.push_back(local_effects()[e].description.name);
+    }
+  }
+  if (none([](const Group& g) { return g.motion == MotionKind::pivoted; })) off.push_back("pivot");
+  return off;
+}
+
+}  // namespace
+
+Explanation World::explain() const {
+  Explanation all;
+  all.path = fused_ ? "fused" : "staged";
+  all.path_reason = path_reason_;
+  all.integrator = row_->name;
+  all.precision = precision() == Precision::single_   ? "single"
+                  : precision() == Precision::double_ ? "double"
+                                                      : "extended";
+  all.target = target();
+  all.threads = threads();
+  all.block_length = block_length;
+  all.narrowed = narrowed_;
+  all.column_bytes = columns_.bytes();
+  std::string every;
+  for (const Group& group : groups_) {
+    if (group.live == 0) continue;
+    all.groups.push_back(report(group, users_));
+    PassWriter writer{group, method_, columns_, path_reason_, all.passes};
+    fused_ ? writer.fused() : writer.staged();
+  }
+  for (const Column& column : columns_.all()) {
+    const ColumnInfo& info = column.info;
+    for (const Group& group : groups_) {
+      if (!column.covers(group.first_row) || group.live == 0) continue;
+      all.columns.push_back({info.name, info.unit, name(info.role), group.name, info.components,
+                             static_cast<double>(info.components) * static_cast<double>(sizeof(Real)), info.why});
+    }
+  }
+  for (const PassReport& pass : all.passes) {
+    for (const GroupReport& group : all.groups) {
+      if (group.name != pass.group) continue;
+      const double share = static_cast<double>(group.bodies) / static_cast<double>(body_count()) * pass.calls_per_step;
+      all.bytes_per_body_step += share * pass.bytes_per_body;
+      all.flops_per_body_step += share * pass.flops_per_body;
+    }
+  }
+  all.off = what_is_off(groups_, fused_, !users_.empty());
+  return all;
+}
+
+void World::profile(bool on) {
+  profiling_ = on;
+  if (!on) return;
+  pass_times_.clear();
+  bytes_per_call_.clear();
+  const Explanation all = explain();
+  for (const PassReport& pass : all.passes) {
+    const auto known = std::find_if(pass_times_.begin(), pass_times_.end(),
+                                    [&](const PassTime& entry) { return entry.name == pass.name; });
+    const auto index = static_cast<std::size_t>(known - pass_times_.begin());
+    if (known == pass_times_.end()) {
+      pass_times_.push_back({pass.name});
+      bytes_per_call_.push_back(0);
+    }
+    for (const GroupReport& group : all.groups) {
+      if (group.name == pass.group) bytes_per_call_[index] += pass.bytes_per_body * static_cast<double>(group.bodies);
+    }
+  }
+}
+
+Precision World::precision() const {
+  return std::is_same_v<Real, float>    ? Precision::single_
+         : std::is_same_v<Real, double> ? Precision::double_
+                                        : Precision::extended;
+}
+
+}  // namespace ballpark::BALLPARK_PRECISION

@@ -1,0 +1,211 @@
+// The second half of building: values into the columns that exist.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/world/build.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+template <int n, class F>
+void Builder::constant(Group& group, const char* name, const char* unit, PerBody (&out)[n], const char* why,
+                       F values_of_body) {
+  if (group.per_copy == 0) return;
+  const std::array<Wide, n> first = values_of_body(std::size_t{0});
+  bool equal = true;
+  for (std::size_t i = 1; i < group.live && equal; ++i) equal = values_of_body(i) == first;
+  if (equal) {
+    for (int c = 0; c < n; ++c) out[c].value = static_cast<Real>(first[static_cast<std::size_t>(c)]);
+    return;
+  }
+  const std::size_t rows = padded(group.live);
+  Column& column = world_.columns_.add({name, unit, n, Role::constant, why}, group.first_row, rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::array<Wide, n> values = values_of_body(std::min(row, group.live - 1));
+    for (int c = 0; c < n; ++c)
+      *column.at(c, group.first_row + row) = static_cast<Real>(values[static_cast<std::size_t>(c)]);
+  }
+  for (int c = 0; c < n; ++c) out[c].rows = column.at(c, group.first_row);
+}
+
+void Builder::fill_constants(Group& group) {
+  const BodyGroup& body = scene_.bodies[group.scene_index];
+  BodyConstants& k = group.kernel.constants;
+  const auto index = [&](std::size_t row) { return row % group.per_copy; };
+  const auto remember = [&](const char* name, const std::vector<double>& rows, double value) {
+    if (!rows.empty() && std::all_of(rows.begin(), rows.end(), [&](double v) { return v == rows[0]; })) {
+      group.constants.emplace_back(name, value);
+    }
+  };
+  if (group.per_copy == 0) return;
+  PerBody mass[1];
+  constant(group, "mass", "kg", mass, "differs between bodies",
+           [&](std::size_t row) { return std::array<Wide, 1>{static_cast<Wide>(mass_of(body, index(row)))}; });
+  k.mass = mass[0];
+  if (!k.mass.rows) group.constants.emplace_back("mass", mass_of(body, 0));
+  remember("radius", body.radius, row_or(body.radius, 0, 0.0));
+  remember("density", body.density, row_or(body.density, 0, 0.0));
+  if (!group.spins()) return;
+  for (std::size_t i = 0; i < std::max<std::size_t>(body.inertia.size(), 1); ++i)
+    group.inertia.push_back(inertia_of(body, i));
+  if (body.inertia.empty() && (body.mass.size() > 1 || body.radius.size() > 1 || body.density.size() > 1)) {
+    group.inertia.clear();
+    for (std::size_t i = 0; i < group.per_copy; ++i) group.inertia.push_back(inertia_of(body, i));
+  }
+  const auto inertia = [&](std::size_t row) { return wide(row_or(group.inertia, index(row), Vector3d(0, 0, 0))); };
+  if (group.motion == MotionKind::pivoted) {
+    const Effect& pivot = *pivot_of(scene_, body);
+    const auto points = std::get<std::vector<Vector3d>>(complete_parameters(pivot, *find_effect("pivot")).at("point"));
+    const auto point = [&](std::size_t row) { return wide(row_or(points, index(row), Vector3d(0, 0, 0))); };
+    const auto arm = [&](std::size_t row) {
+      const Start start =
+          start_of(scene_, group.scene_index, index(row), scene_.run.seed + row / group.per_copy, options_.perturb);
+      return rotation_of(start.orientation).to_body(start.position - point(row));
+    };
+    const auto array = [](const Vector3<Wide>& a) { return std::array<Wide, 3>{a.x, a.y, a.z}; };
+    constant(group, "pivot", "m", k.pivot, "pivot", [&](std::size_t row) { return array(point(row)); });
+    constant(group, "arm", "m", k.arm, "pivot", [&](std::size_t row) { return array(arm(row)); });
+    constant(group, "inverse_inertia", "1/(kg m^2)", k.inverse_inertia, "rotation about the pivot",
+             [&](std::size_t row) {
+               return inverse_about_pivot(inertia(row), static_cast<Wide>(mass_of(body, index(row))), arm(row));
+             });
+    return;
+  }
+  PerBody inverse[3];
+  constant(group, "inverse_inertia", "1/(kg m^2)", inverse, "rotation", [&](std::size_t row) {
+    const Vector3<Wide> i = inertia(row);
+    return std::array<Wide, 3>{1 / i.x, 1 / i.y, 1 / i.z};
+  });
+  std::copy(inverse, inverse + 3, k.inverse_inertia);
+}
+
+void Builder::fill_state(Group& group) {
+  const std::size_t blocks = (group.live + block_length - 1) / block_length;
+  world_.workers_.for_each(blocks, [&](std::size_t b) {
+    const std::size_t end = std::min((b + 1) * block_length, group.live);
+    for (std::size_t row = b * block_length; row < end; ++row) {
+      fill_row(group, row,
+               start_of(scene_, group.scene_index, row % group.per_copy, scene_.run.seed + row / group.per_copy,
+                        options_.perturb));
+    }
+  });
+  repeat_last_row(group);
+}
+
+void Builder::fill_row(Group& group, std::size_t row, const Start& start) {
+  const StateColumns& state = group.kernel.state;
+  const auto put3 = [&](Real* const(&columns)[3], const Vector3<Wide>& a) {
+    const Wide values[3] = {a.x, a.y, a.z};
+    for (int c = 0; c < 3; ++c) columns[c][row] = static_cast<Real>(values[c]);
+  };
+  put3(state.position, start.position);
+  put3(state.velocity, start.velocity);
+  if (group.turns()) {
+    const double q[4] = {start.orientation.w, start.orientation.x, start.orientation.y, start.orientation.z};
+    for (int c = 0; c < 4; ++c) state.orientation[c][row] = static_cast<Real>(q[c]);
+  }
+  if (!group.spins()) return;
+  Vector3<Wide> spin = start.angular_velocity;
+  if (group.motion == MotionKind::pivoted && dot(spin, spin) == 0) {  // given by a velocity instead: w = r x v / r^2
+    const BodyConstants& k = group.kernel.constants;
+    const Vector3<Real> pivot = vector_at<Real>(k.pivot, row);
+    const Vector3<Wide> r = start.position - Vector3<Wide>{pivot.x, pivot.y, pivot.z};
+    spin = (1 / dot(r, r)) * cross(r, start.velocity);
+  }
+  put3(state.momentum, momentum_for(group, row, start.orientation, spin));
+  if (group.motion == MotionKind::pivoted) place_pivoted(group, row);
+}
+
+/// Padding rows move as the last body does, so that they never turn into something slow or not finite before it.
+void Builder::repeat_last_row(Group& group) {
+  if (group.live == 0) return;
+  for (Column& column : world_.columns_.all()) {
+    if (column.info.role != Role::state || !column.covers(group.first_row)) continue;
+    for (int c = 0; c < column.info.components; ++c) {
+      Real* values = column.at(c, group.first_row);
+      std::fill(values + group.live, values + padded(group.live), values[group.live - 1]);
+    }
+  }
+}
+
+void Builder::add_effects(Group& group) {
+  const BodyGroup& body = scene_.bodies[group.scene_index];
+  double speed = 0;
+  for (std::size_t row = 0; row < group.live; ++row) {
+    const Vector3<Real> v = {group.kernel.state.velocity[0][row], group.kernel.state.velocity[1][row],
+                             group.kernel.state.velocity[2][row]};
+    speed = std::max(speed, static_cast<double>(dot(v, v)));
+  }
+  Stiffness sum;
+  for (const Effect& effect : scene_.effects) {
+    const int index = local_effect_index(effect.kind);
+    if (index < 0 || !acts_on(effect, body) || group.live == 0) continue;
+    const EffectInfo& info = local_effects()[static_cast<std::size_t>(index)];
+    const auto parameters = complete_parameters(effect, info.description);
+    const auto per_body = [&](const std::string& name, const std::vector<Vector3d>& rows) {
+      PerBody out[3];
+      constant(group, (effect.kind + "." + name).c_str(), "m", out, effect.kind.c_str(), [&](std::size_t row) {
+        const Vector3d v = row_or(rows, row % group.per_copy, Vector3d(0, 0, 0));
+        return std::array<Wide, 3>{v.x(), v.y(), v.z()};
+      });
+      return std::array<PerBody, 3>{out[0], out[1], out[2]};
+    };
+    const EffectInput input{parameters, std::sqrt(speed), per_body};
+    std::vector<std::byte>& instances = group.effects[static_cast<std::size_t>(index)];
+    instances.resize(instances.size() + info.constants_size);
+    info.pack(input, instances.data() + instances.size() - info.constants_size);
+    if (info.stiffness) {
+      const Stiffness part = info.stiffness(input);
+      sum.spring += part.spring;
+      sum.damping += part.damping;
+    }
+  }
+  for (std::size_t e = 0; e < group.effects.size(); ++e) {
+    const std::size_t size = local_effects()[e].constants_size;
+    group.kernel.forces.slots[e] = {group.effects[e].data(), static_cast<int>(group.effects[e].size() / size)};
+  }
+  check_stability(group, sum);
+}
+
+/// Compensated summation: a carry for each value that the motion integrates.
+void Builder::add_carry(Group& group) {
+  const int size = state_size(group.carried);
+  Column& column = world_.columns_.add({"carry", "state", size, Role::state, "compensated summation"}, group.first_row,
+                                       padded(group.live));
+  for (int i = 0; i < size; ++i) group.carry.push_back(column.at(i, group.first_row));
+  group.kernel.carry = group.carry.data();
+}
+
+/// Staged path: trial state, rates of each phase and, for user effects, spin and sums.
+void Builder::add_scratch(Group& group) {
+  const std::size_t rows = padded(group.live), first = group.first_row;
+  Columns& columns = world_.columns_;
+  const auto add = [&](const char* name, const char* unit, Role role, auto& pointers, const char* why) {
+    Column& column = columns.add({name, unit, static_cast<int>(std::size(pointers)), role, why}, first, rows);
+    for (int c = 0; c < column.info.components; ++c) pointers[static_cast<std::size_t>(c)] = column.at(c, first);
+  };
+  StepGroup& k = group.kernel;
+  add("trial_position", "m", Role::rate, k.trial.position, "staged path");
+  add("trial_velocity", "m/s", Role::rate, k.trial.velocity, "staged path");
+  if (group.spins()) add("trial_angular_momentum", "kg m^2/s", Role::rate, k.trial.momentum, "staged path");
+  if (group.turns()) add("trial_orientation", "1", Role::rate, k.trial.orientation, "staged path");
+  group.rates.resize(static_cast<std::size_t>(world_.method_.phases * state_size(group.carried)));
+  add("rates", "state/s", Role::rate, group.rates, "staged path: one set for each phase of the integrator");
+  k.rates = group.rates.data();
+  for (std::size_t u = 0; u < world_.users_.size(); ++u) {
+    const Effect as_effect{.kind = {}, .groups = world_.users_[u].groups, .parameters = {}};
+    if (acts_on(as_effect, scene_.bodies[group.scene_index])) group.users.push_back(u);
+  }
+  if (group.users.empty()) return;
+  add("force", "N", Role::sum, k.forces.sums.force, "user effects");
+  if (group.spins()) {
+    add("torque", "N m", Role::sum, k.forces.sums.torque, "user effects");
+    add("trial_spin", "rad/s", Role::rate, k.trial_spin, "user effects");
+  }
+  if (!k.constants.mass.rows) {
+    Column& mass = columns.add({"mass", "kg", 1, Role::constant, "user effects read it"}, first, rows);
+    std::fill_n(mass.at(0, first), rows, k.constants.mass.value);
+    k.constants.mass.rows = mass.at(0, first);
+  }
+}
+
+}  // namespace ballpark::BALLPARK_PRECISION

@@ -1,0 +1,41 @@
+// The kernels of one target, as pointers; a dispatcher picks a table at run time.
+#pragma once
+
+#include "engine/effects/local_effects.h"
+#include "engine/integrators/method.h"
+#include "engine/kernels/motion.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+/// One group as kernels see it; rows count from the group's first.
+struct StepGroup {
+  StateColumns state;
+  BodyConstants constants;
+  LocalForces forces;
+  StateColumns trial;            ///< staged path: where forces are evaluated
+  Real* trial_spin[3] = {};      ///< staged path with user effects: angular velocity of the trial state
+  Real* const* carry = nullptr;  ///< compensated summation: what rounding took from each value of the state
+  Real* const* rates = nullptr;  ///< staged path: rate i of phase p is rates[p * size + i]
+};
+
+/// Rows [first, last), a multiple of the lanes: padding rows repeat the last body. `finite`: no value is NaN or
+/// infinite.
+using FusedStep = bool(const StepGroup&, const Method&, std::size_t first, std::size_t last);
+using Prepare = void(const StepGroup&, const Method&, int phase, std::size_t first, std::size_t last);
+using Evaluate = void(const StepGroup&, int phase, std::size_t first, std::size_t last);
+using Finish = bool(const StepGroup&, const Method&, std::size_t first, std::size_t last);
+
+struct KernelTable {
+  const char* target;
+  std::size_t lanes;
+  FusedStep* fused[family_count][motion_count];
+  Prepare* prepare[family_count][motion_count];
+  Evaluate* evaluate[motion_count];
+  Finish* finish[family_count][motion_count];
+};
+
+const KernelTable& kernel_table_base();
+const KernelTable& kernel_table_v3();
+const KernelTable& kernel_table_v4();
+
+}  // namespace ballpark::BALLPARK_PRECISION

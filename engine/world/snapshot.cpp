@@ -1,0 +1,122 @@
+// The state as a whole: its hash, copies to return to, and views.
+#include <algorithm>
+#include <cstring>
+
+#include "engine/core/hash.h"
+#include "engine/core/nearest.h"
+#include "engine/world/world.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+namespace {
+
+/// Long double has 10 bytes of value in 16; the rest is not defined.
+constexpr std::size_t value_bytes = std::is_same_v<Real, long double> ? 10 : sizeof(Real);
+
+std::uint64_t hash_rows(const Real* values, std::size_t count, std::uint64_t seed) {
+  if constexpr (value_bytes == sizeof(Real)) {
+    return hash(values, count * sizeof(Real), seed);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) seed = hash(values + i, value_bytes, seed);
+    return seed;
+  }
+}
+
+/// Does any force, or the rate of another state column, depend on this column of the group?
+bool is_read(const Group& group, const std::string& column) {
+  if (column == "orientation") return group.motion == MotionKind::rigid || group.motion == MotionKind::pivoted;
+  if (column == "angular_momentum") return group.motion != MotionKind::point;
+  return true;
+}
+
+}  // namespace
+
+/// In the order of ids: copy by copy, group by group as in the scene.
+std::uint64_t World::state_hash() const {
+  std::vector<const Group*> in_scene_order;
+  for (const Group& group : groups_) in_scene_order.push_back(&group);
+  std::sort(in_scene_order.begin(), in_scene_order.end(),
+            [](const Group* a, const Group* b) { return a->scene_index < b->scene_index; });
+  std::uint64_t sum = 0;
+  for (std::size_t copy = 0; copy < copies_; ++copy) {
+    for (const Group* group : in_scene_order) {
+      for (const Column& column : columns_.all()) {
+        if (column.info.role != Role::state || !column.covers(group->first_row) || group->live == 0) continue;
+        if (!is_read(*group, column.info.name)) continue;
+        for (int c = 0; c < column.info.components; ++c) {
+          sum = hash_rows(column.at(c, group->first_row + copy * group->per_copy), group->per_copy, sum);
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+Snapshot World::snapshot() const {
+  Snapshot copy{.time = time(), .counters = counters_, .status = status_, .columns = {}};
+  for (const Column& column : columns_.all()) {
+    if (column.info.role != Role::state) continue;
+    for (int c = 0; c < column.info.components; ++c) {
+      const auto* bytes = reinterpret_cast<const std::byte*>(column.at(c, column.first_row));
+      copy.columns.emplace_back(bytes, bytes + column.rows * sizeof(Real));
+    }
+  }
+  return copy;
+}
+
+void World::restore(const Snapshot& snapshot) {
+  std::size_t count = 0;
+  bool fits = true;
+  const auto for_each_array = [&](auto act) {
+    count = 0;
+    for (Column& column : columns_.all()) {
+      if (column.info.role != Role::state) continue;
+      for (int c = 0; c < column.info.components; ++c, ++count) act(column, c);
+    }
+  };
+  for_each_array([&](const Column& column, int) {
+    fits = fits && count < snapshot.columns.size() && snapshot.columns[count].size() == column.rows * sizeof(Real);
+  });
+  if (!fits || count != snapshot.columns.size()) {
+    throw SceneError("restore", "the snapshot is of another scene, number of copies or precision");
+  }
+  for_each_array([&](Column& column, int c) {
+    std::memcpy(column.at(c, column.first_row), snapshot.columns[count].data(), snapshot.columns[count].size());
+  });
+  counters_ = snapshot.counters;
+  status_ = snapshot.status;
+  const double now = time() - 1e-9 * step_;
+  next_event_ = static_cast<std::size_t>(
+      std::lower_bound(events_.begin(), events_.end(), now, [](const Event& e, double at) { return e.at < at; }) -
+      events_.begin());
+}
+
+RawView World::view(const std::string& name) const {
+  std::vector<std::string> known;
+  for (const Column& column : columns_.all()) {
+    if (column.info.role != Role::state) continue;
+    known.push_back(column.info.name);
+    if (column.info.name != name) continue;
+    RawView raw{column.first_row, column.rows, {}};
+    for (int c = 0; c < column.info.components; ++c) raw.components.push_back(column.at(c, column.first_row));
+    return raw;
+  }
+  throw SceneError("view", "no column \"" + name + "\" in this world" + suggestion(name, known));
+}
+
+double World::constant(const std::string& name, const std::string& group_name) const {
+  std::vector<std::string> names;
+  for (const Group& group : groups_) {
+    names.push_back(group.name);
+    if (group.name != group_name) continue;
+    std::vector<std::string> known;
+    for (const auto& [key, value] : group.constants) {
+      known.push_back(key);
+      if (key == name) return value;
+    }
+    throw SceneError("constant", "\"" + name + "\" is no constant of group " + group_name + suggestion(name, known));
+  }
+  throw SceneError("constant", "no group \"" + group_name + "\"" + suggestion(group_name, names));
+}
+
+}  // namespace ballpark::BALLPARK_PRECISION

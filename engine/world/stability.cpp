@@ -1,0 +1,141 @@
+// The largest stable step, measured on the code itself: a method's own kernel moves a damped oscillator from two
+// independent starts, and the spectral radius of the resulting step matrix says whether it grows.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/core/nearest.h"
+#include "engine/world/build.h"
+#include "engine/world/local_step.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+namespace {
+
+using Point = FreeMotion<Spin::none>;
+
+/// Forces of a damped oscillator, F = -k x - c v, as the families see them.
+struct OscillatorForces {
+  Real spring, damping;
+  template <class V>
+  Loads<V> loads(const Body<V>& b) const {
+    return {V(-spring) * b.position - V(damping) * b.velocity, {}};
+  }
+  template <class V>
+  Loads<V> load_rates(const Body<V>& b, const Acceleration<V>& a) const {
+    return {V(-spring) * b.velocity - V(damping) * a.linear, {}};
+  }
+};
+
+template <class F>
+void move(const Method& m, const OscillatorForces& forces, State<Point, Real>& state) {
+  BodyConstants constants;
+  constants.mass.value = 1;
+  const auto c = Point::constants<Real>(constants, 0);
+  Real trial[Point::size];
+  LocalRates<Point, Real> k;
+  for (int p = 0; p < m.phases; ++p) {
+    F::prepare(m, p, c, state, k, trial);
+    evaluate<Point>(forces, c, trial, k.values[p]);
+  }
+  F::finish(m, c, forces, k, state);
+}
+
+/// Largest |eigenvalue| of the step matrix in (x, v h): scaled so that entries are of one size.
+double spectral_radius(const Row& row, double spring_h2, double damping_h) {
+  const Method m = method_for(row, 1);
+  const OscillatorForces forces{static_cast<Real>(spring_h2), static_cast<Real>(damping_h)};
+  double matrix[2][2];
+  for (int column = 0; column < 2; ++column) {
+    State<Point, Real> state{};
+    Real* y = state.y;
+    y[column == 0 ? 0 : 3] = 1;
+    switch (m.family) {
+      case Family::explicit_runge_kutta:
+        move<ExplicitRungeKutta>(m, forces, state);
+        break;
+      case Family::taylor:
+        move<Taylor>(m, forces, state);
+        break;
+      case Family::splitting:
+        move<Splitting>(m, forces, state);
+        break;
+    }
+    matrix[0][column] = static_cast<double>(y[0]);
+    matrix[1][column] = static_cast<double>(y[3]);
+  }
+  const double half_trace = (matrix[0][0] + matrix[1][1]) / 2;
+  const double determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
+  const double square = half_trace * half_trace - determinant;
+  if (spring_h2 == 0) return std::abs(matrix[1][1]);  // a free position keeps an eigenvalue of 1
+  return square >= 0 ? std::abs(half_trace) + std::sqrt(square) : std::sqrt(determinant);
+}
+
+/// Rounding in Real, for radii near 1.
+constexpr double tolerance = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+
+/// Largest s such that radius(t) <= 1 for all t in (0, s]; 0 if it already grows at small t.
+template <class F>
+double boundary(F radius, double scale) {
+  const double small = 0.05 * scale;
+  if (radius(small) > 1 + std::max(tolerance, 1e-9)) return 0;
+  double low = small, high = small;
+  while (radius(high) <= 1 + tolerance) {
+    low = high;
+    high *= 1.02;
+    if (high > 1e3 * scale) return std::numeric_limits<double>::infinity();
+  }
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (radius(middle) <= 1 + tolerance ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+StepLimit step_limit(const Row& row, double h, double mass, const Stiffness& stiffness) {
+  const double k = stiffness.spring / mass, c = stiffness.damping / mass;
+  if (k == 0 && c == 0) return {std::numeric_limits<double>::infinity(), 1};
+  const auto radius = [&](double step) { return spectral_radius(row, k * step * step, c * step); };
+  return {boundary(radius, 1 / std::max(std::sqrt(k), c)), radius(h)};
+}
+
+std::vector<IntegratorDescription> describe_integrators() {
+  std::vector<IntegratorDescription> all;
+  for (const Row& row : rows()) {
+    const int evaluations = row.phases;
+    const double real = boundary([&](double t) { return spectral_radius(row, 0, t); }, 1);
+    const double imaginary = boundary([&](double t) { return spectral_radius(row, t * t, 0); }, 1);
+    all.push_back(
+        {row.name, row.doc, row.source, name(row.family), row.order, evaluations, row.symplectic, real, imaginary});
+  }
+  return all;
+}
+
+/// A step beyond the limit is said, never silent. A method that grows at every step is reported when the growth over
+/// the run is more than a tenth.
+void Builder::check_stability(const Group& group, const Stiffness& stiffness) {
+  if (group.live == 0 || group.motion == MotionKind::pivoted || world_.status_.code != Status::Code::ok) return;
+  const BodyGroup& body = scene_.bodies[group.scene_index];
+  double lightest = mass_of(body, 0);
+  for (std::size_t i = 1; i < std::max(body.mass.size(), std::max(body.radius.size(), body.density.size())); ++i) {
+    lightest = std::min(lightest, mass_of(body, i));
+  }
+  const double h = world_.step_;
+  const StepLimit limit = step_limit(*world_.row_, h, lightest, stiffness);
+  const std::string group_and_method = world_.row_->name + std::string(" on group ") + group.name;
+  if (limit.largest > 0 && h > limit.largest * (1 + 1e-6)) {
+    world_.status_ = {Status::Code::stability, "a step of " + text(h) + " s exceeds " + text(limit.largest) +
+                                                   " s, the stability limit of " + group_and_method};
+  } else if (limit.largest == 0) {
+    const double growth = std::exp(std::log(limit.growth) * scene_.run.duration / h);
+    if (growth > 1.1) {
+      world_.status_ = {Status::Code::stability, "no step is stable for " + group_and_method +
+                                                     ": this oscillation grows by a factor of " + text(growth) +
+                                                     " over the run"};
+    }
+  }
+}
+
+}  // namespace ballpark::BALLPARK_PRECISION

@@ -1,0 +1,176 @@
+// The step. Local bodies: one fused pass; else, for each phase of the integrator, prepare, user effects, evaluate.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+
+#include "engine/world/world.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+namespace {
+
+/// Events this close to a step's ends, in steps, are taken to be on them.
+constexpr double on_the_step = 1e-9;
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+template <class R>
+void run_user(const UserEffect& effect, const BodyBlock<R>& block) {
+  if constexpr (std::is_same_v<R, float>) effect.run_single(block);
+  if constexpr (std::is_same_v<R, double>) effect.run_double(block);  // extended precision refuses user effects
+}
+
+}  // namespace
+
+void World::step(std::uint64_t n) {
+  for (std::uint64_t i = 0; i < n; ++i) one_step();
+}
+
+/// begin -> events of this step, each at its time -> smooth motion in between -> finish
+void World::one_step() {
+  const double start = time(), margin = on_the_step * step_;
+  double done = 0;
+  for (; next_event_ < events_.size() && events_[next_event_].at < start + step_ - margin; ++next_event_) {
+    const Event& event = events_[next_event_];
+    const double offset = event.at - start;
+    if (offset > done + margin) {
+      advance(start + done, offset - done);
+      done = offset;
+    }
+    if (event.impulse) kick(place_of(event.impulse->id), event.impulse->J, event.impulse->offset);
+  }
+  advance(start + done, step_ - done);
+  ++counters_.steps;
+}
+
+/// Smooth motion over h, from the time `from`.
+void World::advance(double from, double h) {
+  activate_windows(from, h);
+  const Method method = h == step_ ? method_ : method_for(*row_, h);
+  if (fused_) {
+    fused_pass(method);
+  } else {
+    staged_passes(method, from);
+  }
+  counters_.force_evaluations += static_cast<std::uint64_t>(method.phases);
+}
+
+void World::activate_windows(double from, double h) {
+  const double middle = from + h / 2;
+  for (Group& group : groups_) {
+    for (std::size_t e = 0; e < group.effects.size(); ++e) {
+      const EffectInfo& info = local_effects()[e];
+      if (!info.window) continue;
+      std::vector<std::byte>& instances = group.effects[e];
+      for (std::size_t at = 0; at < instances.size(); at += info.constants_size) {
+        Window& window = *info.window(instances.data() + at);
+        window.active = window.at <= middle && middle < window.until;
+      }
+    }
+  }
+}
+
+/// One parallel sweep over all blocks, timed if asked for.
+template <class Task>
+void World::pass(const char* name, Task task) {
+  const double begin = profiling_ ? seconds_now() : 0;
+  workers_.for_each(blocks_.size(), [&](std::size_t b) {
+    const Block& block = blocks_[b];
+    task(groups_[block.group], block);
+  });
+  if (profiling_) record(name, seconds_now() - begin);
+}
+
+void World::fused_pass(const Method& method) {
+  std::atomic<bool> finite = true;
+  pass("fused_step", [&](const Group& group, const Block& block) {
+    FusedStep* kernel = kernels_->fused[static_cast<int>(method.family)][static_cast<int>(group.motion)];
+    if (!kernel(group.kernel, method, block.first, block.last)) finite.store(false, std::memory_order_relaxed);
+  });
+  if (!finite) report_non_finite();
+}
+
+void World::staged_passes(const Method& method, double from) {
+  const auto family = static_cast<std::size_t>(method.family);
+  for (int phase = 0; phase < method.phases; ++phase) {
+    pass("prepare", [&](const Group& group, const Block& block) {
+      kernels_->prepare[family][static_cast<int>(group.motion)](group.kernel, method, phase, block.first, block.last);
+    });
+    if (!users_.empty()) user_pass(from + method.offset[phase]);
+    pass("evaluate", [&](const Group& group, const Block& block) {
+      kernels_->evaluate[static_cast<int>(group.motion)](group.kernel, phase, block.first, block.last);
+    });
+  }
+  std::atomic<bool> finite = true;
+  pass("finish", [&](const Group& group, const Block& block) {
+    Finish* finish = kernels_->finish[family][static_cast<int>(group.motion)];
+    if (!finish(group.kernel, method, block.first, block.last)) finite.store(false, std::memory_order_relaxed);
+  });
+  if (!finite) report_non_finite();
+}
+
+/// Sums of force and torque from user effects, for the evaluation that follows.
+void World::user_pass(double time) {
+  pass("user_effects", [&](const Group& group, const Block& block) {
+    if (!group.users.empty()) run_users(group, block, time);
+  });
+}
+
+void World::run_users(const Group& group, const Block& block, double time) {
+  const StepGroup& k = group.kernel;
+  const std::size_t rows = block.last - block.first;
+  BodyBlock<Real> view;
+  view.count = std::min(block.last, group.live) - block.first;
+  view.time = time;
+  view.mass = k.constants.mass.rows + block.first;
+  for (int c = 0; c < 3; ++c) {
+    view.position[c] = k.trial.position[c] + block.first;
+    view.velocity[c] = k.trial.velocity[c] + block.first;
+    view.force[c] = const_cast<Real*>(k.forces.sums.force[c]) + block.first;
+    std::fill_n(view.force[c], rows, Real(0));
+    if (!k.trial_spin[0]) continue;
+    view.angular_velocity[c] = k.trial_spin[c] + block.first;
+    view.torque[c] = const_cast<Real*>(k.forces.sums.torque[c]) + block.first;
+    std::fill_n(view.torque[c], rows, Real(0));
+  }
+  if (k.trial.orientation[0]) {
+    for (int c = 0; c < 4; ++c) view.orientation[c] = k.trial.orientation[c] + block.first;
+  }
+  for (std::size_t user : group.users) run_user(users_[user], view);
+}
+
+/// The first body in the order of ids that is not finite. Only the first such step of a run is looked at.
+void World::report_non_finite() {
+  if (status_.code == Status::Code::non_finite) return;
+  std::optional<std::size_t> first;
+  for (const Group& group : groups_) {
+    for (std::size_t row = 0; row < group.live; ++row) {
+      if (is_finite(group, row)) continue;
+      const std::size_t id = id_of(group, row);
+      if (!first || id < *first) first = id;
+    }
+  }
+  if (!first) return;  // values so large that their sum overflowed, each still finite
+  status_ = {Status::Code::non_finite, "body " + std::to_string(*first) + " is no longer finite", *first,
+             counters_.steps + 1, time() + step_};
+}
+
+/// Keeps events in the order of their times; one that is already over takes part in the next step.
+void World::add_event(const Event& event) {
+  const auto later = [](double at, const Event& e) { return at < e.at; };
+  const auto begin = events_.begin() + static_cast<std::ptrdiff_t>(next_event_);
+  events_.insert(std::upper_bound(begin, events_.end(), event.at, later), event);
+}
+
+void World::record(const char* name, double seconds) {
+  for (std::size_t p = 0; p < pass_times_.size(); ++p) {
+    if (pass_times_[p].name != name) continue;
+    ++pass_times_[p].calls;
+    pass_times_[p].seconds += seconds;
+    pass_times_[p].bytes += bytes_per_call_[p];
+  }
+}
+
+}  // namespace ballpark::BALLPARK_PRECISION

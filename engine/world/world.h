@@ -1,0 +1,164 @@
+// A scene as columns and passes. build.cpp decides what exists, step.cpp moves it, the other files of this folder read.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/workers.h"
+#include "engine/integrators/rows.h"
+#include "engine/store/columns.h"
+#include "engine/world/inertia.h"
+#include "engine/world/interface.h"
+#include "engine/world/kernel_table.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+/// Bodies of a task: a fixed length, whatever the number of threads. A block of particles is 192 kB in double.
+inline constexpr std::size_t block_length = 4096;
+
+/// Bodies of one kind: rows [first_row, first_row + live), padded. Copy k of the scene has its rows behind copy k -
+/// 1's.
+struct Group {
+  std::string name;
+  std::size_t scene_index = 0;
+  std::size_t per_copy = 0;   ///< bodies in one copy
+  std::size_t id_offset = 0;  ///< of its first body in a copy
+  std::size_t first_row = 0, live = 0;
+  MotionKind motion = MotionKind::point;                  ///< how it is stepped
+  MotionKind carried = MotionKind::point;                 ///< with the columns that it carries but no force changes
+  std::string why;                                        ///< of the motion
+  std::vector<std::pair<std::string, double>> constants;  ///< equal over the group, by name
+  std::vector<Vector3d> inertia;  ///< principal moments [kg m^2]: none, one, or one for each body of a copy
+  std::array<std::vector<std::byte>, LocalEffects::count> effects;  ///< Constants of each instance, by local effect
+  std::vector<std::size_t> users;                                   ///< indices of user effects
+  StepGroup kernel;
+  std::vector<Real*> rates;  ///< staged path: what kernel.rates points to
+  std::vector<Real*> carry;  ///< compensated summation: what kernel.carry points to
+
+  bool turns() const { return carried >= MotionKind::oriented; }
+  bool spins() const { return carried != MotionKind::point; }
+};
+
+struct Block {
+  std::size_t group = 0, first = 0, last = 0;  ///< rows of the group, the padding included
+};
+
+/// What happens at a time. A step that holds it is split there.
+struct Event {
+  double at = 0;                   ///< [s]
+  std::optional<Impulse> impulse;  ///< none: only the split (an effect begins or ends)
+};
+
+class World : public WorldInterface {
+ public:
+  World(const Scene& scene, const Options& options, std::vector<UserEffect> user_effects);
+
+  void step(std::uint64_t n) override;
+  double step_size() const override { return step_; }
+  double time() const override { return static_cast<double>(counters_.steps) * step_; }
+  const Status& status() const override { return status_; }
+  Counters counters() const override { return counters_; }
+  std::size_t body_count() const override { return per_copy_ * copies_; }
+  std::size_t row_of(std::size_t id) const override;
+  RawView view(const std::string& column) const override;
+  double constant(const std::string& name, const std::string& group) const override;
+  BodyState body(std::size_t id) const override;
+  void set(std::size_t id, const BodyState& state) override;
+  void apply_impulse(std::size_t id, const Vector3d& J, const Vector3d& offset) override;
+  void schedule_impulse(const Impulse& impulse) override;
+  void apply_load(const std::string& kind, std::size_t id, const Vector3d& load, double at, double until) override;
+  Totals totals() const override;
+  std::uint64_t state_hash() const override;
+  Explanation explain() const override;
+  Snapshot snapshot() const override;
+  void restore(const Snapshot& snapshot) override;
+  void profile(bool on) override;
+  std::vector<PassTime> pass_times() const override { return pass_times_; }
+  Precision precision() const override;
+  std::string target() const override { return kernels_->target; }
+  int threads() const override { return workers_.threads(); }
+
+ private:
+  friend class Builder;
+  struct Place {
+    std::size_t group, row;  ///< row in the group
+  };
+
+  // step.cpp
+  void one_step();
+  void advance(double from, double h);
+  void activate_windows(double from, double h);
+  void fused_pass(const Method& method);
+  void staged_passes(const Method& method, double from);
+  void user_pass(double time);
+  void run_users(const Group& group, const Block& block, double time);
+  template <class Task>
+  void pass(const char* name, Task task);
+  void record(const char* name, double seconds);
+  void report_non_finite();
+  void add_event(const Event& event);
+
+  // bodies.cpp
+  Place place_of(std::size_t id) const;
+  Place known_place(std::size_t id, const char* call) const;
+  void kick(const Place& place, const Vector3d& J, const Vector3d& offset);
+  std::size_t id_of(const Group& group, std::size_t row) const;
+
+  Columns columns_;
+  std::vector<Group> groups_;  ///< by row; those that carry more columns last
+  std::vector<Block> blocks_;
+  std::vector<UserEffect> users_;
+  std::vector<std::string> narrowed_;
+  std::vector<Event> events_;  ///< by time
+  std::size_t next_event_ = 0;
+  const Row* row_ = nullptr;
+  Method method_;
+  double step_ = 0;
+  bool fused_ = true;
+  std::string path_reason_;
+  std::size_t per_copy_ = 0, copies_ = 1;
+  Counters counters_;
+  Status status_;
+  mutable Workers workers_;
+  const KernelTable* kernels_ = nullptr;
+  bool profiling_ = false;
+  std::vector<PassTime> pass_times_;
+  std::vector<double> bytes_per_call_;  ///< of the passes in pass_times_
+};
+
+/// Calls f with the motion's type, as `f.template operator()<M>()`.
+template <class F>
+decltype(auto) with_motion(MotionKind kind, F&& f) {
+  switch (kind) {
+    case MotionKind::spinning:
+      return f.template operator()<FreeMotion<Spin::carried>>();
+    case MotionKind::oriented:
+      return f.template operator()<FreeMotion<Spin::oriented>>();
+    case MotionKind::rigid:
+      return f.template operator()<FreeMotion<Spin::rigid>>();
+    case MotionKind::pivoted:
+      return f.template operator()<PivotedMotion>();
+    case MotionKind::point:
+      break;
+  }
+  return f.template operator()<FreeMotion<Spin::none>>();
+}
+
+/// L of a body that turns with `spin` (world frame) at an orientation, about its centre of mass or its pivot.
+Vector3<Wide> momentum_for(const Group& group, std::size_t row, const Quaternion& orientation,
+                           const Vector3<Wide>& spin);
+/// Position and velocity of a pivoted body follow from its rotation: writes them.
+void place_pivoted(const Group& group, std::size_t row);
+/// Is every value of the body's state finite? `row` in the group.
+bool is_finite(const Group& group, std::size_t row);
+
+const char* name(MotionKind kind);
+/// Number of values of state that the motion integrates.
+int state_size(MotionKind kind);
+/// nullptr if this build or machine has no such target.
+const KernelTable* kernel_table(const std::string& target);
+
+}  // namespace ballpark::BALLPARK_PRECISION

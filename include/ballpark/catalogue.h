@@ -1,0 +1,67 @@
+// What this build of Ballpark can do: each list describes itself, and help texts, checks and schemas come from it.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballpark/scene.h"
+
+namespace ballpark {
+
+/// number: double. vector: Vector3d. vectors: one Vector3d, or one per body of the group. word: one of `choices`.
+enum class ParameterKind { number, vector, vectors, word };
+
+struct ParameterInfo {
+  std::string name;
+  ParameterKind kind = ParameterKind::number;
+  std::string unit;
+  std::optional<Value> fallback;                              ///< the default; none: must be given
+  double minimum = -std::numeric_limits<double>::infinity();  ///< numbers only, inclusive
+  double maximum = std::numeric_limits<double>::infinity();
+  std::string doc;
+};
+
+struct EffectDescription {
+  std::string name;
+  std::string doc;  ///< one sentence with the formula
+  std::string source;
+  std::vector<ParameterInfo> parameters;
+  std::vector<std::string> reads;   ///< columns beside mass that the force needs
+  std::vector<std::string> exerts;  ///< "force", "torque", "constraint"
+  bool has_energy = false;
+  bool has_force_derivative = false;  ///< usable with taylor2
+  int flops = 0;                      ///< per body and evaluation
+};
+
+struct IntegratorDescription {
+  std::string name;
+  std::string doc;
+  std::string source;
+  std::string family;
+  int order = 0;
+  int evaluations = 0;         ///< of all forces, per step
+  bool symplectic = false;     ///< for forces that do not read velocity
+  double real_limit = 0;       ///< stability: h |lambda| for y' = lambda y, lambda < 0
+  double imaginary_limit = 0;  ///< stability: h omega for x'' = -omega^2 x; 0: always grows
+};
+
+struct NamedDescription {
+  std::string name;
+  std::string doc;
+  bool available = true;  ///< targets: this machine can run it
+};
+
+const std::vector<EffectDescription>& effects();
+const std::vector<IntegratorDescription>& integrators();
+const std::vector<NamedDescription>& shapes();
+const std::vector<NamedDescription>& rotations();
+const std::vector<NamedDescription>& targets();  ///< instruction sets, slowest first
+
+std::string version();
+
+/// The entry of `names` that `word` most likely meant, or "" if none is near.
+std::string nearest(const std::string& word, const std::vector<std::string>& names);
+
+}  // namespace ballpark

@@ -1,0 +1,89 @@
+// What a world says of itself: status, conserved quantities, structure, cost. Plain values, all in double and SI.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ballpark/scene.h"
+
+namespace ballpark {
+
+/// How a run stands. The first thing that went wrong is kept.
+struct Status {
+  enum class Code { ok, stability, non_finite };
+  Code code = Code::ok;
+  std::string sentence = "ok";
+  std::size_t body = 0;  ///< id of the first offender, where there is one
+  std::uint64_t step = 0;
+  double time = 0;  ///< [s]
+};
+const char* name(Status::Code code);
+
+struct Counters {
+  std::uint64_t steps = 0;
+  std::uint64_t force_evaluations = 0;  ///< evaluations of all forces (not per body)
+};
+
+/// Sums over all bodies, in double whatever the world's precision.
+struct Totals {
+  double kinetic = 0;                            ///< [J]
+  double potential = 0;                          ///< [J], of the effects that have one
+  Vector3d momentum = Vector3d::Zero();          ///< [kg m/s]
+  double momentum_scale = 0;                     ///< sum of |p| [kg m/s]
+  Vector3d angular_momentum = Vector3d::Zero();  ///< about the origin [kg m^2/s]
+  double angular_momentum_scale = 0;             ///< sum of |l| over bodies
+  std::size_t non_finite_bodies = 0;             ///< left out of the sums
+  double energy() const { return kinetic + potential; }
+};
+
+struct ColumnReport {
+  std::string name, unit, role, group;  ///< role: state | rate | sum | constant
+  int components = 1;
+  double bytes_per_body = 0;
+  std::string why;  ///< who asked for it
+};
+
+struct PassReport {
+  std::string name, group;
+  std::vector<std::string> reads, writes;
+  double bytes_per_body = 0;  ///< moved in one call of the pass [B]
+  double flops_per_body = 0;  ///< of one call (a square root or a division counts as one)
+  int calls_per_step = 1;
+  std::string why;
+};
+
+struct GroupReport {
+  std::string name, motion;  ///< motion: point | spinning | oriented | rigid | pivoted
+  std::size_t bodies = 0;
+  std::string why;
+  std::vector<std::string> effects;
+  std::vector<std::string> constants;  ///< "mass = 0.17 kg": equal over the group, no column
+};
+
+/// What exists for a scene, and why: what `ballpark explain` prints.
+struct Explanation {
+  std::string path;  ///< "fused" or "staged"
+  std::string path_reason;
+  std::string integrator, precision, target;
+  int threads = 1;
+  std::size_t block_length = 0;  ///< bodies per task
+  std::vector<GroupReport> groups;
+  std::vector<ColumnReport> columns;
+  std::vector<PassReport> passes;     ///< in the order of the step
+  std::vector<std::string> narrowed;  ///< what the scene could have had and does not need
+  std::vector<std::string> off;       ///< what does not exist here
+  double bytes_per_body_step = 0;     ///< mean over bodies
+  double flops_per_body_step = 0;
+  std::size_t column_bytes = 0;  ///< allocated in all [B]
+};
+
+/// Time spent in one pass since profiling was switched on.
+struct PassTime {
+  std::string name;
+  std::uint64_t calls = 0;
+  double seconds = 0;
+  double bytes = 0;  ///< moved, by the pass's own account [B]
+};
+
+}  // namespace ballpark

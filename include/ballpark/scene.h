@@ -1,0 +1,116 @@
+// What to simulate, as a plain value. Units are SI, axes right-handed with z up, quaternions map body to world.
+// Nothing here computes: `World` (world.h) checks the values and runs them.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ballpark {
+
+using Eigen::Vector3d;
+
+/// Rotation (w, x, y, z), body to world, unit length. Plain doubles: its alignment never depends on compiler flags.
+struct Quaternion {
+  double w = 1, x = 0, y = 0, z = 0;
+};
+
+/// Arithmetic of a run. `extended` is long double on the base target: for references, slow.
+enum class Precision { single_, double_, extended };
+
+/// Fills a group's rows at build. Deterministic: row i of copy k depends on (seed + k, group, i) alone.
+struct Generate {
+  std::string kind;                ///< "lattice": count rows, x fastest; "random": uniform in the box [lower, upper]
+  std::vector<std::size_t> count;  ///< lattice: [nx, ny, nz]; random: [n]
+  Vector3d origin = Vector3d::Zero();           ///< lattice: position of the first body [m]
+  double spacing = 0;                           ///< lattice: distance between neighbours [m], > 0
+  Vector3d lower = Vector3d::Zero();            ///< random: lowest corner [m]
+  Vector3d upper = Vector3d::Zero();            ///< random: highest corner [m]
+  Vector3d velocity_spread = Vector3d::Zero();  ///< adds a uniform value in [-s, s] to each velocity component [m/s]
+  Vector3d angular_velocity_spread = Vector3d::Zero();  ///< likewise for the angular velocity [rad/s]
+  bool random_orientation = false;                      ///< orientations uniform over all rotations
+};
+
+/// Bodies of one kind. Each list has no row (default), one row (all bodies alike) or n rows; n is the longest list.
+struct BodyGroup {
+  std::string name;             ///< unique; how `--set` and effects address the group
+  std::string shape;            ///< "" for particles or bodies with a given inertia; "sphere"
+  std::vector<double> radius;   ///< [m], > 0; needed by a shape
+  std::vector<double> mass;     ///< [kg], > 0; or density
+  std::vector<double> density;  ///< [kg/m^3], > 0, with a shape
+  std::vector<Vector3d>
+      inertia;  ///< principal moments about the centre of mass [kg m^2]; each at most the sum of the others
+  std::vector<Vector3d> position;                ///< centre of mass, world frame [m]
+  std::vector<Vector3d> velocity;                ///< world frame [m/s]
+  std::vector<Vector3d> angular_velocity;        ///< [rad/s], in `angular_velocity_frame`
+  std::string angular_velocity_frame = "world";  ///< "world" or "body"
+  std::vector<Quaternion> orientation;           ///< unit to 1e-6 (then normalised); identity if none
+  std::optional<Generate> generate;              ///< positions and spreads, instead of a `position` list
+};
+
+/// A parameter of an effect: a number, a vector, one vector per body, or a word.
+using Value = std::variant<double, Vector3d, std::vector<Vector3d>, std::string>;
+
+/// One effect on some groups. Kinds and their parameters: `effects()` in catalogue.h.
+struct Effect {
+  std::string kind;
+  std::vector<std::string> groups;          ///< names; all groups if empty
+  std::map<std::string, Value> parameters;  ///< what is left out takes the catalogue's default
+};
+
+/// A sudden change of momentum of one body.
+struct Impulse {
+  double at = 0;  ///< [s]; the step that holds this time is split there
+  std::size_t id = 0;
+  Vector3d J = Vector3d::Zero();       ///< [N s], world frame
+  Vector3d offset = Vector3d::Zero();  ///< point of application minus centre of mass [m], world axes
+};
+
+struct RunSettings {
+  double duration = 0;                   ///< [s], >= 0
+  double step = 0;                       ///< [s], > 0
+  std::string integrator = "rk4";        ///< a name of `integrators()`
+  std::string rotation = "renormalise";  ///< orientation is normalised after each step
+  std::vector<std::string> accept;       ///< "stability": run although a stability limit is exceeded; still reported
+  bool compensated = false;  ///< compensated summation of the state: long runs lose less to rounding, for a column more
+  Precision precision = Precision::double_;
+  std::uint64_t seed = 1;
+};
+
+struct Scene {
+  std::string name;
+  std::string doc;
+  RunSettings run;
+  std::vector<BodyGroup> bodies;
+  std::vector<Effect> effects;
+  std::vector<Impulse> impulses;
+};
+
+/// One thing wrong with a scene: `path` names the value ("bodies[0].mass", "run.step"), `message` says what it is,
+/// what was expected and the nearest valid choice.
+struct Problem {
+  std::string path;
+  std::string message;
+};
+
+/// Thrown by `World`'s constructor and by misuse of its calls, never out of a step. Holds every problem found.
+class SceneError : public std::runtime_error {
+ public:
+  explicit SceneError(std::vector<Problem> problems);
+  SceneError(const std::string& path, const std::string& message);
+  const std::vector<Problem>& problems() const { return problems_; }
+
+ private:
+  std::vector<Problem> problems_;
+};
+
+/// Every problem of the scene's values; empty if `World` will accept it. Cheap next to building it.
+std::vector<Problem> check(const Scene& scene);
+
+}  // namespace ballpark

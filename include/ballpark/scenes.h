@@ -1,0 +1,123 @@
+// Scene files (target ballpark::scenes): load a TOML file, run it with its outputs, judge its expectations.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ballpark/options.h"
+#include "ballpark/report.h"
+#include "ballpark/scene.h"
+#include "ballpark/world.h"
+
+namespace ballpark::scenes {
+
+/// `--set key=value`: key is a path with tables addressed by name, else kind, else index ("bodies.balls.radius"); value
+/// is TOML.
+struct Override {
+  std::string key, value;
+};
+
+/// [[output]]: the state over time into a file (.npz, .csv).
+struct OutputRequest {
+  std::optional<double> every;  ///< [s]
+  std::vector<double> at;       ///< [s]
+  std::string file;
+};
+
+/// [[expect]]: a number of the run, and what it must be: [min, max], or value within tolerance (absolute).
+struct Expectation {
+  std::string quantity;      ///< a path in the run's JSON ("energy.drift_relative") or state.ID.COLUMN
+  std::optional<double> at;  ///< [s]; the end if none
+  std::optional<double> minimum, maximum, value, tolerance;
+};
+
+/// Where a value stands. `file` is "--set" for an override; line 0: no such place.
+struct Location {
+  std::string file;
+  std::size_t line = 0, column = 0;
+};
+
+struct SceneFile {
+  std::string path;
+  Scene scene;
+  std::vector<OutputRequest> outputs;
+  std::vector<Expectation> expectations;
+  std::map<std::string, Location> locations;  ///< by problem path: "bodies[0].mass"
+};
+
+struct LocatedProblem {
+  Location location;
+  std::string key, message;
+};
+
+/// Every problem of a scene file; what() has a line for each: "file:line:column: key: message".
+class SceneFileError : public std::runtime_error {
+ public:
+  explicit SceneFileError(std::vector<LocatedProblem> problems);
+  const std::vector<LocatedProblem>& problems() const { return problems_; }
+
+ private:
+  std::vector<LocatedProblem> problems_;
+};
+
+/// Reads and checks; nothing is run. Throws SceneFileError.
+SceneFile load(const std::string& path, const std::vector<Override>& overrides = {});
+/// The same from text, named `name` in messages.
+SceneFile parse(const std::string& text, const std::string& name, const std::vector<Override>& overrides = {});
+
+/// The scene file's keys as a JSON Schema, for editors; and as help text.
+std::string json_schema();
+std::string key_help();
+
+/// Verdict on one expectation. A measured value that is not finite is never met.
+struct Verdict {
+  Expectation expectation;
+  double measured = 0;
+  double time = 0;  ///< at which it was measured [s]
+  bool met = false;
+  std::string sentence;
+};
+
+/// All that a run has to tell.
+struct RunReport {
+  std::string scenario;
+  Status status;
+  std::size_t bodies = 0;
+  double time = 0;  ///< [s]
+  Counters counters;
+  std::string integrator;
+  double step = 0;          ///< [s]
+  double wall_seconds = 0;  ///< stepping only
+  double body_steps_per_second = 0;
+  int threads = 1;
+  std::string precision, target, path;
+  std::string state_hash;  ///< 16 hex digits
+  Totals initial, final;
+  double energy_drift_relative = 0;  ///< (final - initial) / largest of |initial|, |final|, initial and final kinetic
+  double momentum_drift = 0;         ///< |dP| / largest sum of |p| at start or end
+  double angular_momentum_drift = 0;
+  std::vector<std::string> warnings;
+  std::vector<Verdict> verdicts;
+  bool interrupted = false;
+};
+
+/// The report as the JSON of `ballpark run --json`.
+std::string to_json(const RunReport& report);
+
+/// A frame is due: called between steps with the world as it is.
+using FrameWriter = std::function<void(const World&)>;
+struct RunHooks {
+  std::function<bool(double fraction)> progress;  ///< now and then; false interrupts
+  std::vector<FrameWriter> writers;               ///< one for each of the file's outputs, in order
+};
+
+/// Builds the world, steps it to the scene's duration, samples outputs and expectations at the steps nearest to their
+/// times, and judges. Throws SceneFileError if an expectation names a quantity that does not exist (before stepping).
+RunReport run(const SceneFile& file, const Options& options = {}, const RunHooks& hooks = {});
+
+}  // namespace ballpark::scenes

@@ -1,0 +1,39 @@
+// States of a world, read in place or by value.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ballpark/report.h"
+#include "ballpark/scene.h"
+
+namespace ballpark {
+
+/// One body's state, by value. What its group does not carry is identity or zero.
+struct BodyState {
+  Vector3d position = Vector3d::Zero();          ///< [m]
+  Vector3d velocity = Vector3d::Zero();          ///< [m/s]
+  Quaternion orientation;                        ///< body to world
+  Vector3d angular_velocity = Vector3d::Zero();  ///< world frame [rad/s]
+  bool has_orientation = false;
+  bool has_angular_velocity = false;
+};
+
+/// A column read in place: component c of the body in row r is `view[c][r - first_row]`. Valid until the next step.
+template <class Real>
+struct View {
+  std::size_t first_row = 0;
+  std::vector<std::span<const Real>> components;
+  std::span<const Real> operator[](std::size_t c) const { return components[c]; }
+};
+
+/// A state to return to: the columns, the time and the step count. Only for worlds of the same scene and options.
+struct Snapshot {
+  double time = 0;  ///< [s]
+  Counters counters;
+  Status status;
+  std::vector<std::vector<std::byte>> columns;
+};
+
+}  // namespace ballpark

@@ -1,0 +1,78 @@
+// A scene being simulated. Build once, step many times, read without copies.
+//
+//   ballpark::World world(scene);
+//   world.step(1000);
+//   ballpark::View<double> x = world.view<double>("position");
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ballpark/options.h"
+#include "ballpark/report.h"
+#include "ballpark/scene.h"
+#include "ballpark/state.h"
+#include "ballpark/user_effect.h"
+
+namespace ballpark {
+
+class WorldInterface;
+
+class World {
+ public:
+  /// Builds columns and passes. Throws SceneError with every problem of the scene, before anything is allocated.
+  explicit World(const Scene& scene, const Options& options = {}, std::vector<UserEffect> user_effects = {});
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  /// n whole steps of the scene's step. Never throws; what goes wrong is in status().
+  void step(std::uint64_t n = 1);
+  /// Whole steps while the next one does not pass t (to 1e-9 of a step); the remainder is kept for the next call.
+  void advance_to(double t);
+  double time() const;  ///< t0 + n h [s], never a running sum
+  std::uint64_t steps() const;
+  const Status& status() const;
+  Counters counters() const;
+
+  std::size_t body_count() const;            ///< over all copies
+  std::size_t row_of(std::size_t id) const;  ///< row of a body in every view; throws std::out_of_range
+  /// Names: "position", "velocity", "orientation" (w, x, y, z), "angular_momentum" (about the centre of mass, or the
+  /// pivot). Throws SceneError if the column does not exist or Real is not the world's precision.
+  template <class Real>
+  View<Real> view(const std::string& column) const;
+  /// A value that is equal over a group ("mass", "radius"); throws SceneError if it is a column or absent.
+  double constant(const std::string& name, const std::string& group) const;
+  BodyState body(std::size_t id) const;
+
+  /// Changes of one body between steps. Throw SceneError on an unknown id, a value that is not finite, or what the
+  /// group does not carry.
+  void set(std::size_t id, const BodyState& state);
+  /// J [N s] at `offset` from the centre of mass [m]; at once, or at a later time [s].
+  void apply_impulse(std::size_t id, const Vector3d& J, const Vector3d& offset = Vector3d::Zero());
+  void apply_impulse_at(double at, std::size_t id, const Vector3d& J, const Vector3d& offset = Vector3d::Zero());
+  /// F [N], torque [N m], world frame, from `at` until `until` [s]. Steps are split at both times.
+  void apply_force(std::size_t id, const Vector3d& F, double at, double until);
+  void apply_torque(std::size_t id, const Vector3d& torque, double at, double until);
+
+  Totals totals() const;             ///< energy and momenta now; one pass over all bodies
+  std::uint64_t state_hash() const;  ///< over the state columns, by id
+  Explanation explain() const;
+  Snapshot snapshot() const;
+  void restore(const Snapshot& snapshot);
+
+  void profile(bool on);  ///< clears and starts, or stops, the pass clocks
+  std::vector<PassTime> pass_times() const;
+  Precision precision() const;
+  std::string target() const;
+  int threads() const;
+
+ private:
+  std::unique_ptr<WorldInterface> world_;
+};
+
+}  // namespace ballpark

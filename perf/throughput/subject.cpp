@@ -1,0 +1,140 @@
+#include "perf/throughput/subject.h"
+
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <stdexcept>
+
+#include "perf/bandwidth.h"
+
+namespace ballpark::perf {
+
+namespace {
+
+constexpr double bytes_of_a_particle_step = 6 * 2 * sizeof(double);  // position and velocity, read and written
+
+// Six arrays as a careful programmer would allocate them.
+class BareArrays {
+ public:
+  explicit BareArrays(const StateColumns& columns) : count_(columns.front().size()) {
+    for (const std::vector<double>& column : columns) {
+      arrays_.emplace_back(static_cast<double*>(::operator new (count_ * sizeof(double), std::align_val_t{64})));
+      std::copy(column.begin(), column.end(), arrays_.back().get());
+    }
+  }
+  std::size_t count() const { return count_; }
+  double* operator[](std::size_t c) const { return arrays_[c].get(); }
+  StateColumns columns() const {
+    StateColumns copies;
+    for (const auto& array : arrays_) copies.emplace_back(array.get(), array.get() + count_);
+    return copies;
+  }
+
+ private:
+  struct Free {
+    void operator()(double* array) const { ::operator delete (array, std::align_val_t{64}); }
+  };
+  std::size_t count_;
+  std::vector<std::unique_ptr<double, Free>> arrays_;
+};
+
+using Loop = decltype(&hand_written_rk4);
+
+Subject bare_subject(std::string name, const Start& start, Loop loop) {
+  const auto arrays = std::make_shared<BareArrays>(start.columns);
+  const std::size_t count = arrays->count(), steps = steps_per_run(count);
+  return {.name = std::move(name),
+          .bodies = count,
+          .units = static_cast<double>(count * steps),
+          .bytes_per_unit = bytes_of_a_particle_step,
+          .run =
+              [arrays, problem = start.problem, loop, steps] {
+                const BareArrays& a = *arrays;
+                for (std::size_t i = 0; i < steps; ++i) loop(problem, a[0], a[1], a[2], a[3], a[4], a[5], a.count());
+              },
+          .state = [arrays] { return arrays->columns(); }};
+}
+
+void touch_all(const DragProblem&, double* x, double* y, double* z, double* vx, double* vy, double* vz,
+               std::size_t count) {
+  touch(x, y, z, vx, vy, vz, count);
+}
+
+}  // namespace
+
+std::size_t steps_per_run(std::size_t bodies) {
+  return std::max<std::size_t>(1, 1'000'000 / std::max<std::size_t>(bodies, 1));
+}
+
+StateColumns state_of(const World& world) {
+  StateColumns columns;
+  for (const char* name : {"position", "velocity"}) {
+    for (const auto& component : world.view<double>(name).components) {
+      columns.emplace_back(component.begin(), component.end());
+    }
+  }
+  return columns;
+}
+
+Subject world_subject(std::string name, const Scene& scene, const Options& options) {
+  const auto world = std::make_shared<World>(scene, options);
+  const std::size_t steps = steps_per_run(world->body_count());
+  Subject subject{.name = name,
+                  .bodies = world->body_count(),
+                  .units = static_cast<double>(world->body_count() * steps),
+                  .bytes_per_unit = world->explain().bytes_per_body_step,
+                  .run =
+                      [world, steps, name] {
+                        world->step(steps);
+                        const Status& status = world->status();
+                        if (status.code != Status::Code::ok) throw std::runtime_error(name + ": " + status.sentence);
+                      },
+                  .state = nullptr};
+  if (world->precision() == Precision::double_) subject.state = [world] { return state_of(*world); };
+  return subject;
+}
+
+Subject hand_written_subject(std::string name, const Start& start) {
+  return bare_subject(std::move(name), start, hand_written_rk4);
+}
+
+Subject touch_subject(std::string name, const Start& start) {
+  return bare_subject(std::move(name), start, touch_all);
+}
+
+Subject odeint_subject(std::string name, const Start& start, const OdeintMethod& method) {
+  const std::size_t count = start.columns.front().size(), steps = steps_per_run(count);
+  const auto bodies = std::make_shared<std::vector<OdeintState>>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t c = 0; c < 6; ++c) (*bodies)[i][c] = start.columns[c][i];
+  }
+  return {.name = std::move(name),
+          .bodies = count,
+          .units = static_cast<double>(count * steps),
+          .bytes_per_unit = bytes_of_a_particle_step,
+          .run =
+              [bodies, problem = start.problem, step = method.step, steps] {
+                for (std::size_t i = 0; i < steps; ++i) step(problem, bodies->data(), bodies->size());
+              },
+          .state =
+              [bodies] {
+                StateColumns columns(6, std::vector<double>(bodies->size()));
+                for (std::size_t i = 0; i < bodies->size(); ++i) {
+                  for (std::size_t c = 0; c < 6; ++c) columns[c][i] = (*bodies)[i][c];
+                }
+                return columns;
+              }};
+}
+
+Subject triad_subject(std::string name, int threads) {
+  constexpr int sweeps = 4;  // several at a time: starting the threads must not count
+  const auto triad = std::make_shared<Triad>(threads);
+  return {.name = std::move(name),
+          .bodies = 0,
+          .units = sweeps * static_cast<double>(triad->elements()),
+          .bytes_per_unit = Triad::bytes_per_element,
+          .run = [triad] { triad->sweep(sweeps); },
+          .state = nullptr};
+}
+
+}  // namespace ballpark::perf

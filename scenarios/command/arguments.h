@@ -1,0 +1,34 @@
+// The command line as words: what was typed, not yet what it means.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ballpark::command {
+
+struct Arguments {
+  std::string command;
+  std::string name;                    ///< SCENE, NAME, or what to list
+  std::vector<std::string> overrides;  ///< key=value
+  std::optional<std::string> threads, precision, target, copies, perturb, path;
+  std::optional<std::string> state, every, out;
+  std::optional<std::string> steps, seconds;
+  std::optional<std::string> json;  ///< a file; "": standard output
+  bool quiet = false;
+};
+
+/// Help or version text was asked for: print it, nothing else.
+struct Answer {
+  std::string text;
+};
+
+struct CommandLine {
+  std::optional<Answer> answer;
+  Arguments arguments;
+};
+
+/// Throws UsageError.
+CommandLine read_command_line(int argc, char** argv);
+
+}  // namespace ballpark::command

@@ -1,0 +1,138 @@
+#include "scenarios/command/catalogue_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/command/text.h"
+
+namespace ballpark::command {
+namespace {
+
+std::string toml(double x) {
+  const std::string text = fmt::format("{}", x);
+  return text.find_first_of(".eni") == std::string::npos ? text + ".0" : text;  // "inf" and "nan" are TOML too
+}
+
+std::string toml(const Vector3d& v) {
+  return fmt::format("[{}, {}, {}]", toml(v.x()), toml(v.y()), toml(v.z()));
+}
+
+Json json(double x) {
+  return std::isfinite(x) ? Json(x) : Json(fmt::format("{}", x));
+}
+
+Json json(const Vector3d& v) {
+  return Json::array({json(v.x()), json(v.y()), json(v.z())});
+}
+
+struct ValueJson {
+  Json operator()(double x) const { return json(x); }
+  Json operator()(const Vector3d& v) const { return json(v); }
+  Json operator()(const std::vector<Vector3d>& rows) const {
+    Json list = Json::array();
+    for (const Vector3d& v : rows) list.push_back(json(v));
+    return list;
+  }
+  Json operator()(const std::string& word) const { return word; }
+};
+
+Json to_json(const ParameterInfo& parameter) {
+  Json object{{"name", parameter.name}, {"kind", kind_name(parameter.kind)}, {"unit", parameter.unit}};
+  object["required"] = !parameter.fallback;
+  if (parameter.fallback) object["default"] = std::visit(ValueJson{}, *parameter.fallback);
+  if (std::isfinite(parameter.minimum)) object["minimum"] = parameter.minimum;
+  if (std::isfinite(parameter.maximum)) object["maximum"] = parameter.maximum;
+  object["doc"] = parameter.doc;
+  return object;
+}
+
+/// Something valid for a parameter that has no default.
+Value plausible(const ParameterInfo& parameter) {
+  switch (parameter.kind) {
+    case ParameterKind::number:
+      return std::clamp(0.1, parameter.minimum, parameter.maximum);
+    case ParameterKind::vector:
+      return Vector3d(0, 0, 1);
+    case ParameterKind::vectors:
+      return std::vector<Vector3d>{Vector3d(0, 0, 1)};
+    case ParameterKind::word:
+      break;
+  }
+  return std::string();
+}
+
+}  // namespace
+
+std::string kind_name(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::number:
+      return "number";
+    case ParameterKind::vector:
+      return "vector";
+    case ParameterKind::vectors:
+      return "vector(s)";
+    case ParameterKind::word:
+      break;
+  }
+  return "word";
+}
+
+std::string toml(const Value& value) {
+  if (const double* x = std::get_if<double>(&value)) return toml(*x);
+  if (const Vector3d* v = std::get_if<Vector3d>(&value)) return toml(*v);
+  if (const std::string* word = std::get_if<std::string>(&value)) return '"' + *word + '"';
+  std::vector<std::string> rows;
+  for (const Vector3d& v : std::get<std::vector<Vector3d>>(value)) rows.push_back(toml(v));
+  return '[' + joined(rows) + ']';
+}
+
+std::string example(const EffectDescription& effect) {
+  std::string text = fmt::format("[[effects]]\nkind = \"{}\"\n", effect.name);
+  for (const ParameterInfo& parameter : effect.parameters) {
+    const std::string value = toml(parameter.fallback ? *parameter.fallback : plausible(parameter));
+    text += fmt::format("{:<36}  # {}\n", parameter.name + " = " + value,
+                        (parameter.unit.empty() ? "" : parameter.unit) + (parameter.fallback ? " (default)" : ""));
+  }
+  return text;
+}
+
+std::string range(const ParameterInfo& parameter) {
+  const bool below = std::isfinite(parameter.minimum), above = std::isfinite(parameter.maximum);
+  if (below && above) return fmt::format("{} to {}", parameter.minimum, parameter.maximum);
+  if (below) return fmt::format(">= {}", parameter.minimum);
+  return above ? fmt::format("<= {}", parameter.maximum) : "";
+}
+
+Json to_json(const EffectDescription& effect) {
+  Json parameters = Json::array();
+  for (const ParameterInfo& parameter : effect.parameters) parameters.push_back(to_json(parameter));
+  return {{"name", effect.name},
+          {"doc", effect.doc},
+          {"parameters", parameters},
+          {"reads", effect.reads},
+          {"exerts", effect.exerts},
+          {"energy", effect.has_energy},
+          {"force_derivative", effect.has_force_derivative},
+          {"flops", effect.flops},
+          {"source", effect.source}};
+}
+
+Json to_json(const IntegratorDescription& integrator) {
+  return {{"name", integrator.name},
+          {"doc", integrator.doc},
+          {"family", integrator.family},
+          {"order", integrator.order},
+          {"evaluations", integrator.evaluations},
+          {"symplectic", integrator.symplectic},
+          {"real_limit", integrator.real_limit},
+          {"imaginary_limit", integrator.imaginary_limit},
+          {"source", integrator.source}};
+}
+
+Json to_json(const NamedDescription& entry) {
+  return {{"name", entry.name}, {"doc", entry.doc}};
+}
+
+}  // namespace ballpark::command

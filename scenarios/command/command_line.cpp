@@ -1,0 +1,233 @@
+// The only file that includes CLI11: it costs seconds to compile.
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "ballpark/catalogue.h"
+#include "scenarios/command/arguments.h"
+#include "scenarios/command/commands.h"
+#include "scenarios/command/errors.h"
+#include "scenarios/command/help_text.h"
+#include "scenarios/command/text.h"
+
+namespace ballpark::command {
+namespace {
+
+constexpr std::size_t help_width = 80, option_column = 24;
+
+struct Option {
+  const char *name, *value, *doc;
+  std::optional<std::string> Arguments::*member;
+};
+
+constexpr Option scene_options[] = {
+    {"--threads", "N", "worker threads (default: all cores); no bit depends on it", &Arguments::threads},
+    {"--precision", "P", "single, double or extended, instead of the scene's", &Arguments::precision},
+    {"--target", "T", "instruction set, see `list targets` (default: auto, the fastest)", &Arguments::target},
+    {"--copies", "K", "run K independent copies as one batch; copy k has seed + k", &Arguments::copies},
+    {"--perturb", "E", "move each copy's start by relative E", &Arguments::perturb},
+    {"--path", "PATH", "automatic, fused or staged (default: automatic)", &Arguments::path},
+};
+constexpr Option run_options[] = {
+    {"--state", "FILE", "write the state at the end as CSV", &Arguments::state},
+    {"--every", "S", "with --out: a frame every S seconds of simulated time", &Arguments::every},
+    {"--out", "FILE", "write the frames, .npz or .csv", &Arguments::out},
+};
+constexpr Option profile_options[] = {
+    {"--steps", "N", "steps of each repeat (default: as many as the time allows)", &Arguments::steps},
+    {"--seconds", "S", "time for all measuring, about (default: 5)", &Arguments::seconds},
+};
+
+struct Command {
+  const char *name, *word, *word_doc, *doc, *footer;
+  bool takes_scene;
+  std::span<const Option> own_options;
+  const char* own_group;
+};
+
+constexpr const char* scene_doc = "a scene file, or a scenario's name";
+
+const Command commands[] = {
+    {"list",
+     "WHAT",
+     "scenarios, integrators, effects, shapes, contacts or targets (default: all)",
+     "Show what there is.",
+     help::list,
+     false,
+     {},
+     ""},
+    {"describe",
+     "NAME",
+     "a name that `ballpark list` shows, or: scene",
+     "Explain one thing by its name.",
+     help::describe,
+     false,
+     {},
+     ""},
+    {"run", "SCENE", scene_doc, "Simulate a scene and print what happened.", help::run, true, run_options, "Files"},
+    {"explain", "SCENE", scene_doc, "Show what a scene makes the engine do, and why.", help::explain, true, {}, ""},
+    {"check", "SCENE", scene_doc, "Validate a scene without running it.", help::check, true, {}, ""},
+    {"profile", "SCENE", scene_doc, "Measure where the time goes, and thread scaling.", help::profile, true,
+     profile_options, "Measuring"},
+};
+
+/// CLI11's help, with descriptions wrapped to the page and usage lines that name the word.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    const std::string name = make_option_name(option, is_positional);
+    return entry(name + (is_positional ? "" : make_option_opts(option)), option->get_description());
+  }
+  std::string make_subcommand(const CLI::App* command) const override {
+    return entry(command->get_name(), command->get_description());
+  }
+  std::string make_description(const CLI::App* app) const override { return app->get_description() + "\n\n"; }
+  std::string make_usage(const CLI::App* app, std::string) const override {
+    return app->get_parent() ? fmt::format("Usage: ballpark {} {} [options]\n", app->get_name(), word_of(app))
+                             : "Usage: ballpark COMMAND ... [options]      (ballpark COMMAND --help for more)\n";
+  }
+
+ private:
+  static std::string word_of(const CLI::App* app) {
+    const auto words = app->get_options([](const CLI::Option* option) { return option->get_positional(); });
+    const std::string word = words.front()->get_name(true);
+    return word == "WHAT" ? "[WHAT]" : word;
+  }
+  static std::string entry(const std::string& name, const std::string& doc) {
+    std::string text = "  " + name;
+    for (const std::string& line : wrapped(doc, help_width - option_column)) {
+      text.resize(std::max(text.size() + 2, text.rfind('\n') + 1 + option_column), ' ');
+      text += line + '\n';
+    }
+    return text;
+  }
+};
+
+void add_option(CLI::App& app, const Option& option, Arguments& arguments, const char* group) {
+  const auto store = [&arguments, member = option.member](const std::string& text) { arguments.*member = text; };
+  app.add_option_function<std::string>(option.name, store, option.doc)
+      ->option_text(option.value)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->group(group);
+}
+
+void add_common(CLI::App& app, Arguments& arguments) {
+  const auto json = [&arguments](const std::string& file) { arguments.json = file == "-" ? "" : file; };
+  app.add_option_function<std::string>("--json", json, "JSON to FILE, or to standard output instead of the text")
+      ->expected(0, 1)
+      ->option_text("[FILE]")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->group("Output");
+  app.add_flag("--quiet", arguments.quiet, "no text, no progress, no warnings: errors and the exit code")
+      ->group("Output");
+  app.set_help_flag("-h,--help", "this text")->group("Output");
+}
+
+void add_command(CLI::App& program, const Command& command, Arguments& arguments) {
+  CLI::App& app = *program.add_subcommand(command.name, command.doc)->group("Commands");
+  app.allow_extras();
+  app.add_option(command.word, arguments.name, command.word_doc);
+  if (command.takes_scene) {
+    app.add_option("--set", arguments.overrides, "override a key of the scene; may be repeated")
+        ->allow_extra_args(false)
+        ->option_text("KEY=VALUE")
+        ->group("Scene");
+    for (const Option& option : scene_options) add_option(app, option, arguments, "Scene");
+  }
+  for (const Option& option : command.own_options) add_option(app, option, arguments, command.own_group);
+  add_common(app, arguments);
+  app.footer(command.footer + std::string(command.takes_scene ? "\n" : "\n\n") +
+             (command.takes_scene ? help::scene_word : "") + help::exit_codes);
+}
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.push_back(command.name);
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+[[noreturn]] void refuse_extra(const CLI::App& app, const std::vector<std::string>& extras) {
+  for (const std::string& word : extras) {
+    if (word.starts_with("-")) {
+      const std::string near = nearest(word.substr(0, word.find('=')), option_names(app));
+      const std::string hint = near.empty() ? "" : "; did you mean " + near + "?";
+      const std::string command = app.get_parent() ? app.get_name() + " " : "";
+      throw UsageError(fmt::format("unknown option {}{} (`ballpark {}--help` shows all)", word, hint, command));
+    }
+  }
+  if (!app.get_parent()) throw UsageError(no_such("command", extras.front(), command_names()));
+  throw UsageError(fmt::format("'{}' is one argument too many", extras.front()));
+}
+
+/// `--json projectile` means the scene, not a file to write: a word that stands alone is the command's own word.
+void untangle_json(Arguments& arguments) {
+  const std::vector<std::string>& sections = list_sections();
+  if (!arguments.name.empty() || !arguments.json || arguments.json->ends_with(".json")) return;
+  const bool section = std::find(sections.begin(), sections.end(), *arguments.json) != sections.end();
+  if (arguments.command != "list" || section) arguments.name = std::exchange(*arguments.json, "");
+}
+
+/// CLI11 leaves two empty lines between groups of options.
+std::string without_gaps(std::string text) {
+  for (std::size_t at; (at = text.find("\n\n\n")) != std::string::npos;) text.erase(at, 1);
+  return text;
+}
+
+void finish(const CLI::App& program, Arguments& arguments) {
+  if (const auto extras = program.remaining(); !extras.empty()) refuse_extra(program, extras);
+  const auto chosen = program.get_subcommands();
+  if (chosen.empty()) throw UsageError("a command is missing (" + joined(command_names()) + "); try `ballpark --help`");
+  if (const auto extras = chosen.front()->remaining(); !extras.empty()) refuse_extra(*chosen.front(), extras);
+  arguments.command = chosen.front()->get_name();
+  untangle_json(arguments);
+  if (!arguments.name.empty() || arguments.command == "list") return;
+  const bool describe = arguments.command == "describe";
+  throw UsageError(describe ? "NAME is missing: what shall be described? (`ballpark list` shows all names)"
+                            : "SCENE is missing: a scene file or a scenario's name (`ballpark list scenarios`)");
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, char** argv) {
+  CommandLine line;
+  CLI::App program(help::program, "ballpark");
+  auto formatter = std::make_shared<HelpFormatter>();
+  formatter->label("Positionals", "Argument");
+  program.formatter(formatter);
+  program.allow_extras();
+  program.require_subcommand(0, 1);
+  program.set_version_flag("--version", "ballpark " + version(), "print the version");
+  program.set_help_flag("-h,--help", "this text");
+  for (const Command& command : commands) add_command(program, command, line.arguments);
+  program.footer(std::string(help::scene_word) + help::exit_codes);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    line.answer = Answer{without_gaps(program.help())};
+    return line;
+  } catch (const CLI::CallForVersion& answer) {
+    line.answer = Answer{answer.what() + std::string("\n")};
+    return line;
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string text = error.what();
+    throw UsageError(text.substr(0, text.find(':')) + " needs a value");
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  finish(program, line.arguments);
+  return line;
+}
+
+}  // namespace ballpark::command

@@ -1,0 +1,157 @@
+// ballpark explain: what exists for a scene, and why.
+#include <fmt/format.h>
+
+#include "ballpark/scenes.h"
+#include "ballpark/world.h"
+#include "scenarios/command/commands.h"
+#include "scenarios/command/deliver.h"
+#include "scenarios/command/scene_options.h"
+#include "scenarios/command/terminal.h"
+#include "scenarios/command/text.h"
+
+namespace ballpark::command {
+namespace {
+
+constexpr Column::Align right = Column::Align::right, wrap = Column::Align::wrap;
+
+std::string or_none(const std::vector<std::string>& words) {
+  return words.empty() ? "none" : joined(words);
+}
+
+void add_summary(Page& text, const Explanation& explanation) {
+  text.fields({{"path", Cell(explanation.path, Style::strong)},
+               {"because", explanation.path_reason},
+               {"integrator", fmt::format("{}, {} precision, target {}", explanation.integrator, explanation.precision,
+                                          explanation.target)},
+               {"tasks", fmt::format("{}, blocks of {} bodies",
+                                     counted(static_cast<std::uint64_t>(explanation.threads), "thread", "threads"),
+                                     grouped(explanation.block_length))},
+               {"a body-step", fmt::format("moves {} B, computes {} flops", number(explanation.bytes_per_body_step, 5),
+                                           number(explanation.flops_per_body_step, 4))},
+               {"columns", bytes(static_cast<double>(explanation.column_bytes)) + " allocated"}});
+}
+
+void add_groups(Page& text, const Explanation& explanation) {
+  text.heading("Groups");
+  for (const GroupReport& group : explanation.groups) {
+    text.line("  " + group.name, Style::strong);
+    text.fields({{"  bodies", grouped(group.bodies)},
+                 {"  motion", group.motion + (group.why.empty() ? "" : " (" + group.why + ")")},
+                 {"  effects", or_none(group.effects)},
+                 {"  constants", or_none(group.constants)}});
+  }
+}
+
+void add_columns(Page& text, const Explanation& explanation) {
+  text.heading("Columns");
+  Table table{{{"column"}, {"group"}, {"role"}, {"unit"}, {"n", right}, {"B/body", right}, {"asked for by", wrap}}, {}};
+  for (const ColumnReport& column : explanation.columns) {
+    table.rows.push_back({column.name, column.group, column.role, column.unit, std::to_string(column.components),
+                          number(column.bytes_per_body), column.why});
+  }
+  text.table(table);
+}
+
+void add_passes(Page& text, const Explanation& explanation) {
+  text.heading("Passes, in the order of a step");
+  for (const PassReport& pass : explanation.passes) {
+    text.line(fmt::format("  {} of {}", pass.name, pass.group), Style::strong);
+    text.fields({{"  cost", fmt::format("{} a step; each moves {} B and computes {} flops per body",
+                                        counted(static_cast<std::uint64_t>(pass.calls_per_step), "call", "calls"),
+                                        number(pass.bytes_per_body, 5), number(pass.flops_per_body, 5))},
+                 {"  reads", or_none(pass.reads)},
+                 {"  writes", or_none(pass.writes)}});
+    if (pass.why != explanation.path_reason) text.fields({{"  why   ", pass.why}});
+  }
+}
+
+void add_rest(Page& text, const Explanation& explanation) {
+  text.heading("Narrowed: what the scene could have had and does not need");
+  text.list(explanation.narrowed);
+  if (explanation.narrowed.empty()) text.paragraph("nothing");
+  text.heading("Off: what does not exist here");
+  text.paragraph(or_none(explanation.off));
+}
+
+Json groups_json(const Explanation& explanation) {
+  Json list = Json::array();
+  for (const GroupReport& group : explanation.groups) {
+    list.push_back({{"name", group.name},
+                    {"bodies", group.bodies},
+                    {"motion", group.motion},
+                    {"why", group.why},
+                    {"effects", group.effects},
+                    {"constants", group.constants}});
+  }
+  return list;
+}
+
+Json columns_json(const Explanation& explanation) {
+  Json list = Json::array();
+  for (const ColumnReport& column : explanation.columns) {
+    list.push_back({{"name", column.name},
+                    {"group", column.group},
+                    {"role", column.role},
+                    {"unit", column.unit},
+                    {"components", column.components},
+                    {"bytes_per_body", column.bytes_per_body},
+                    {"why", column.why}});
+  }
+  return list;
+}
+
+Json passes_json(const Explanation& explanation) {
+  Json list = Json::array();
+  for (const PassReport& pass : explanation.passes) {
+    list.push_back({{"name", pass.name},
+                    {"group", pass.group},
+                    {"calls_per_step", pass.calls_per_step},
+                    {"reads", pass.reads},
+                    {"writes", pass.writes},
+                    {"bytes_per_body", pass.bytes_per_body},
+                    {"flops_per_body", pass.flops_per_body},
+                    {"why", pass.why}});
+  }
+  return list;
+}
+
+Json to_json(const std::string& scenario, const Explanation& explanation) {
+  return {{"scenario", scenario},
+          {"path", explanation.path},
+          {"path_reason", explanation.path_reason},
+          {"integrator", explanation.integrator},
+          {"precision", explanation.precision},
+          {"target", explanation.target},
+          {"threads", explanation.threads},
+          {"block_length", explanation.block_length},
+          {"bytes_per_body_step", explanation.bytes_per_body_step},
+          {"flops_per_body_step", explanation.flops_per_body_step},
+          {"column_bytes", explanation.column_bytes},
+          {"groups", groups_json(explanation)},
+          {"columns", columns_json(explanation)},
+          {"passes", passes_json(explanation)},
+          {"narrowed", explanation.narrowed},
+          {"off", explanation.off}};
+}
+
+}  // namespace
+
+Exit explain(const Arguments& arguments) {
+  const Options options = run_options(arguments);
+  const scenes::SceneFile file = load_scene(arguments);
+  check_memory(file.scene, options);
+  Delivery delivery(arguments);
+  const Explanation explanation = World(file.scene, options).explain();
+  Page text = page();
+  text.heading(file.scene.name);
+  add_summary(text, explanation);
+  add_groups(text, explanation);
+  add_columns(text, explanation);
+  add_passes(text, explanation);
+  add_rest(text, explanation);
+  delivery.text(text.text());
+  delivery.json(to_json(file.scene.name, explanation).dump(2));
+  return done;
+}
+
+}  // namespace ballpark::command

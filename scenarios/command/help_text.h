@@ -1,0 +1,84 @@
+// What `--help` says beside the options: for each command what it does, an example, and what the words mean.
+#pragma once
+
+namespace ballpark::command::help {
+
+inline constexpr const char* program =
+    "Ballpark moves many balls and spinning bodies, and measures what it does.\n"
+    "First steps:\n"
+    "  ballpark list scenarios           what can be run at once\n"
+    "  ballpark run projectile           run one of them\n"
+    "  ballpark describe scene           how to write a scene of your own";
+
+inline constexpr const char* scene_word =
+    "SCENE is a scene file (TOML), or the name of a scenario that `ballpark list\n"
+    "scenarios` shows. Scenarios come from share/ballpark/scenarios beside the\n"
+    "installed program, else from the source tree; set BALLPARK_SCENARIOS to a folder\n"
+    "to take them from there.\n"
+    "\n";
+
+inline constexpr const char* exit_codes =
+    "Exit codes:\n"
+    "  0    done\n"
+    "  1    an expectation was missed, or a file could not be written\n"
+    "  2    bad usage, scene or destination: nothing was run\n"
+    "  3    the run left its stability or accuracy contract\n"
+    "  130  interrupted (Ctrl-C)";
+
+inline constexpr const char* list =
+    "Example:\n"
+    "  ballpark list integrators\n"
+    "\n"
+    "Without a word, all sections. Contacts: none in this version.\n"
+    "With --json: a list of objects (an object of lists without a word).";
+
+inline constexpr const char* describe =
+    "Examples:\n"
+    "  ballpark describe rk4             an integrator\n"
+    "  ballpark describe quadratic_drag  an effect: formula, parameters, an example\n"
+    "  ballpark describe pendulum        a scenario: what it shows, how it is judged\n"
+    "  ballpark describe scene           every key of a scene file\n"
+    "  ballpark describe scene --json    the same as a JSON Schema, for editors";
+
+inline constexpr const char* run =
+    "Examples:\n"
+    "  ballpark run projectile\n"
+    "  ballpark run my.toml --set run.integrator=euler --set run.step=1e-3\n"
+    "  ballpark run pendulum --every 0.01 --out pendulum.npz --state end.csv\n"
+    "\n"
+    "A key of --set is a path in the scene file; a table is addressed by its name,\n"
+    "else its kind, else its index: --set bodies.ball.mass=0.2,\n"
+    "--set effects.gravity.acceleration=[0,0,-1.62]. The value is TOML; a plain word\n"
+    "needs no quotes.\n"
+    "\n"
+    "Series (--out, [[output]]): .npz opens in numpy.load, with arrays time [T],\n"
+    "id [N], position and velocity [T,N,3], and where bodies carry them orientation\n"
+    "[T,N,4] and angular_velocity [T,N,3]; stored, not compressed. .csv has a row per\n"
+    "time and body.\n"
+    "--state has a row per body, 17 digits. Paths are relative to the current folder;\n"
+    "files appear whole at the end, and Ctrl-C ends a run early with valid files.\n";
+
+inline constexpr const char* explain =
+    "Example:\n"
+    "  ballpark explain dust\n"
+    "\n"
+    "Shows what exists for the scene and why: path, groups, columns, passes, bytes\n"
+    "and flops per body, what was narrowed and what is off. Nothing is stepped.\n";
+
+inline constexpr const char* check =
+    "Example:\n"
+    "  ballpark check my.toml && ballpark run my.toml\n"
+    "\n"
+    "Prints `ok: ...`, or each problem as file:line:column: key: message on standard\n"
+    "error (exit code 2). With --json the problems are on standard output as well.\n";
+
+inline constexpr const char* profile =
+    "Example:\n"
+    "  ballpark profile dust --threads 4\n"
+    "\n"
+    "First each pass on all threads: calls, time, share of the time, ns and bytes per\n"
+    "body-step, GB/s, and that as a share of the machine's streaming bandwidth\n"
+    "(STREAM triad, measured in the same run). Then throughput at 1..N threads, in\n"
+    "interleaved repeats that all start from the scene's start.\n";
+
+}  // namespace ballpark::command::help

@@ -1,0 +1,167 @@
+// ballpark profile: where the time goes, and what more threads give.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ballpark/scenes.h"
+#include "perf/machine.h"
+#include "scenarios/command/commands.h"
+#include "scenarios/command/deliver.h"
+#include "scenarios/command/measure.h"
+#include "scenarios/command/scene_options.h"
+#include "scenarios/command/terminal.h"
+#include "scenarios/command/text.h"
+
+namespace ballpark::command {
+namespace {
+
+constexpr Column::Align right = Column::Align::right, wrap = Column::Align::wrap;
+
+std::string percent(double share) {
+  return fmt::format("{:.1f} %", 100 * share);
+}
+std::string gigabytes(double per_second) {
+  return fmt::format("{:.2f}", per_second / 1e9);
+}
+
+void add_summary(Page& text, const ProfileFigures& figures) {
+  const Explanation& explanation = figures.explanation;
+  const perf::Machine machine = perf::machine();
+  text.fields(
+      {{"bodies", grouped(figures.bodies)},
+       {"step", fmt::format("{}, {}, target {}, {} path", explanation.integrator, explanation.precision,
+                            explanation.target, explanation.path)},
+       {"columns", bytes(static_cast<double>(explanation.column_bytes))},
+       {"machine", fmt::format("{}, {}", machine.processor,
+                               counted(static_cast<std::uint64_t>(machine.threads), "thread", "threads"))},
+       {"streaming", fmt::format("{} GB/s on {} (STREAM triad)", gigabytes(figures.streaming),
+                                 counted(static_cast<std::uint64_t>(explanation.threads), "thread", "threads"))}});
+  if (explanation.column_bytes > 0 && explanation.column_bytes < machine.level3_bytes) {
+    text.paragraph("The columns fit in the processor's cache: passes can be faster than memory streams.");
+  }
+}
+
+void add_passes(Page& text, const ProfileFigures& figures) {
+  const auto threads = static_cast<std::uint64_t>(figures.explanation.threads);
+  text.heading(fmt::format("Passes on {}, {}", counted(threads, "thread", "threads"), seconds(figures.wall_seconds)));
+  Table table{{{"pass", wrap},
+               {"calls", right},
+               {"time", right},
+               {"share", right},
+               {"ns", right},
+               {"B", right},
+               {"GB/s", right},
+               {"of streaming", right}},
+              {}};
+  for (const PassFigure& pass : figures.passes) {
+    table.rows.push_back({Cell(pass.time.name, Style::strong), grouped(pass.time.calls), seconds(pass.time.seconds),
+                          percent(pass.share), number(pass.ns_per_body_step, 4), number(pass.bytes_per_body_step, 4),
+                          gigabytes(pass.bytes_per_second), percent(pass.streaming_share)});
+  }
+  table.rows.push_back({"between passes", "", seconds(std::max(0.0, figures.outside_passes)),
+                        percent(std::max(0.0, figures.outside_passes) / figures.wall_seconds), "", "", "", ""});
+  text.table(table);
+  text.paragraph("ns and B: per body-step (one body, one step).");
+}
+
+void add_threads(Page& text, const ProfileFigures& figures) {
+  const std::string repeat = counted(figures.steps * figures.repetitions, "step", "steps");
+  text.heading(fmt::format("Throughput in body-steps/s, {} interleaved repeats of {}", figures.rounds, repeat));
+  Table table{{{"threads", right},
+               {"best", right},
+               {"median", right},
+               {"ns", right},
+               {"speed-up", right},
+               {"triad GB/s", right},
+               {"triad speed-up", right}},
+              {}};
+  for (const ThreadFigure& figure : figures.threads) {
+    table.rows.push_back({std::to_string(figure.threads), Cell(rate(figure.best_rate), Style::strong),
+                          rate(figure.median_rate), figure.best_rate > 0 ? number(1e9 / figure.best_rate, 4) : "-",
+                          fmt::format("{:.2f}", figure.speed_up), gigabytes(figure.streaming),
+                          fmt::format("{:.2f}", figure.streaming_speed_up)});
+  }
+  text.table(table);
+}
+
+Json passes_json(const ProfileFigures& figures) {
+  Json list = Json::array();
+  for (const PassFigure& pass : figures.passes) {
+    list.push_back({{"name", pass.time.name},
+                    {"calls", pass.time.calls},
+                    {"seconds", pass.time.seconds},
+                    {"share", pass.share},
+                    {"ns_per_body_step", pass.ns_per_body_step},
+                    {"bytes_per_body_step", pass.bytes_per_body_step},
+                    {"bytes_per_second", pass.bytes_per_second},
+                    {"streaming_share", pass.streaming_share}});
+  }
+  return list;
+}
+
+Json threads_json(const ProfileFigures& figures) {
+  Json list = Json::array();
+  for (const ThreadFigure& figure : figures.threads) {
+    list.push_back({{"threads", figure.threads},
+                    {"seconds", {{"min", figure.best_seconds}, {"median", figure.median_seconds}}},
+                    {"body_steps_per_second", {{"best", figure.best_rate}, {"median", figure.median_rate}}},
+                    {"speed_up", figure.speed_up},
+                    {"streaming_bytes_per_second", figure.streaming},
+                    {"streaming_speed_up", figure.streaming_speed_up}});
+  }
+  return list;
+}
+
+Json to_json(const std::string& scenario, const ProfileFigures& figures) {
+  const perf::Machine machine = perf::machine();
+  return {{"scenario", scenario},
+          {"bodies", figures.bodies},
+          {"integrator", figures.explanation.integrator},
+          {"precision", figures.explanation.precision},
+          {"target", figures.explanation.target},
+          {"path", figures.explanation.path},
+          {"column_bytes", figures.explanation.column_bytes},
+          {"machine", {{"processor", machine.processor}, {"threads", machine.threads}, {"compiler", machine.compiler}}},
+          {"steps", figures.steps},
+          {"repetitions", figures.repetitions},
+          {"rounds", figures.rounds},
+          {"streaming_bytes_per_second", figures.streaming},
+          {"wall_seconds", figures.wall_seconds},
+          {"outside_passes_seconds", figures.outside_passes},
+          {"passes", passes_json(figures)},
+          {"threads", threads_json(figures)},
+          {"status", {{"code", name(figures.status.code)}, {"sentence", figures.status.sentence}}}};
+}
+
+ProfileEffort effort_of(const Arguments& arguments) {
+  constexpr std::uint64_t most_steps = 1'000'000'000'000;
+  ProfileEffort effort;
+  if (arguments.steps) effort.steps = whole_number("--steps", *arguments.steps, 1, most_steps);
+  if (arguments.seconds) effort.seconds = real_number("--seconds", *arguments.seconds, false);
+  return effort;
+}
+
+}  // namespace
+
+Exit profile(const Arguments& arguments) {
+  const Options options = run_options(arguments);
+  const ProfileEffort effort = effort_of(arguments);
+  const scenes::SceneFile file = load_scene(arguments);
+  check_memory(file.scene, options);
+  Delivery delivery(arguments);
+  watch_for_interrupt();
+  const ProfileFigures figures = measure(file.scene, options, effort, !arguments.quiet);
+  Page text = page();
+  text.heading(file.scene.name);
+  add_summary(text, figures);
+  add_passes(text, figures);
+  if (!figures.threads.empty()) add_threads(text, figures);
+  delivery.text(text.text());
+  delivery.json(to_json(file.scene.name, figures).dump(2));
+  if (figures.interrupted) return interrupted_exit;
+  if (figures.status.code == Status::Code::ok || accepted(file.scene, figures.status)) return done;
+  complain(figures.status.sentence);
+  return contract_left;
+}
+
+}  // namespace ballpark::command

@@ -1,0 +1,171 @@
+// ballpark run: simulate a scene, print what happened, write what was asked for.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ballpark/scenes.h"
+#include "scenarios/command/commands.h"
+#include "scenarios/command/deliver.h"
+#include "scenarios/command/expectation_text.h"
+#include "scenarios/command/run_files.h"
+#include "scenarios/command/scene_options.h"
+#include "scenarios/command/terminal.h"
+#include "scenarios/command/text.h"
+
+namespace ballpark::command {
+namespace {
+
+using scenes::Expectation;
+using scenes::RunReport;
+using scenes::Verdict;
+
+bool reached(const Verdict& verdict) {
+  return !std::isnan(verdict.time);
+}
+
+std::string off_by(const Verdict& verdict) {
+  const bool off = !verdict.met && verdict.expectation.value && std::isfinite(verdict.measured);
+  return off ? number(std::abs(verdict.measured - *verdict.expectation.value), 3) : "";
+}
+
+std::string measured(const Verdict& verdict) {
+  constexpr int enough = 9;  // to see how far off it is
+  const int digits = digits_of(verdict.expectation);
+  if (!reached(verdict)) return "not reached";
+  return number(verdict.measured, verdict.met ? digits : std::min(digits, enough));
+}
+
+Cell expectation_summary(const std::vector<Verdict>& verdicts) {
+  std::size_t met = 0, missed = 0;
+  for (const Verdict& verdict : verdicts) {
+    met += verdict.met;
+    missed += !verdict.met && reached(verdict);
+  }
+  if (verdicts.empty()) return "none given";
+  const std::size_t open = verdicts.size() - met - missed;
+  const std::string rest = open > 0 ? fmt::format(", {} not reached", open) : "";
+  return Cell(fmt::format("{} met, {} missed{}", met, missed, rest), missed ? Style::bad : Style::good);
+}
+
+Cell verdict_cell(const Verdict& verdict) {
+  if (!reached(verdict)) return "-";
+  return verdict.met ? Cell("met", Style::good) : Cell("MISSED", Style::bad);
+}
+
+std::string speed(const RunReport& report) {
+  if (report.body_steps_per_second <= 0) return "-";
+  return fmt::format("{} body-steps/s, {} per body-step", rate(report.body_steps_per_second),
+                     seconds(1 / report.body_steps_per_second));
+}
+
+/// What went wrong, if anything did.
+std::vector<std::pair<std::string, Cell>> status_fields(const RunReport& report, const Scene& scene) {
+  std::vector<std::pair<std::string, Cell>> fields;
+  const Status& status = report.status;
+  if (report.interrupted) {
+    const std::string where = fmt::format("at {} s of {} s", number(report.time), number(scene.run.duration));
+    fields.push_back({"interrupted", Cell(where, Style::bad)});
+  }
+  if (status.code == Status::Code::ok) return fields;
+  const std::string when =
+      status.step > 0 ? fmt::format(" (step {}, {} s)", grouped(status.step), number(status.time)) : "";
+  const std::string taken = accepted(scene, status) ? "; accepted by the scene" : "";
+  fields.push_back({name(status.code), Cell(status.sentence + when + taken, Style::bad)});
+  return fields;
+}
+
+void add_facts(Page& text, const RunReport& report, const Scene& scene) {
+  const std::string threads = counted(static_cast<std::uint64_t>(report.threads), "thread", "threads");
+  std::vector<std::pair<std::string, Cell>> facts{
+      {"bodies", grouped(report.bodies)},
+      {"simulated time", number(report.time) + " s"},
+      {"steps", fmt::format("{} of {} s ({})", grouped(report.counters.steps), number(report.step), report.integrator)},
+      {"force evaluations", grouped(report.counters.force_evaluations)},
+      {"wall time", fmt::format("{} ({}, {}, {}, {} path)", seconds(report.wall_seconds), threads, report.precision,
+                                report.target, report.path)},
+      {"speed", speed(report)},
+      {"energy", fmt::format("{} J at the start, {} J at the end", number(report.initial.energy(), 9),
+                             number(report.final.energy(), 9))},
+      {"energy drift", number(report.energy_drift_relative, 3) + " (relative)"},
+      {"momentum drift", number(report.momentum_drift, 3) + " (relative)"},
+      {"angular momentum drift", number(report.angular_momentum_drift, 3) + " (relative)"},
+      {"state hash", report.state_hash},
+      {"expectations", expectation_summary(report.verdicts)}};
+  for (auto& field : status_fields(report, scene)) facts.push_back(std::move(field));
+  text.fields(std::move(facts));
+}
+
+void add_verdicts(Page& text, const RunReport& report) {
+  constexpr Column::Align right = Column::Align::right, wrap = Column::Align::wrap;
+  if (report.verdicts.empty()) return;
+  const bool any_off = std::any_of(report.verdicts.begin(), report.verdicts.end(),
+                                   [](const Verdict& verdict) { return !off_by(verdict).empty(); });
+  Table table{{{""}, {"quantity", wrap}, {"at [s]", right}, {"measured", right}, {"wanted", wrap}, {"", right}}, {}};
+  if (any_off) table.columns.back().heading = "off by";
+  for (const Verdict& verdict : report.verdicts) {
+    table.rows.push_back({verdict_cell(verdict), verdict.expectation.quantity,
+                          reached(verdict) ? number(verdict.time) : "-", measured(verdict), wanted(verdict.expectation),
+                          off_by(verdict)});
+  }
+  text.blank();
+  text.table(table);
+}
+
+std::string text_of(const RunReport& report, const Scene& scene, const std::vector<std::string>& written) {
+  Page text = page();
+  text.heading(report.scenario);
+  if (!scene.doc.empty()) text.paragraph(scene.doc);
+  text.blank();
+  add_facts(text, report, scene);
+  add_verdicts(text, report);
+  if (!written.empty()) text.blank();
+  for (const std::string& path : written) text.line("  wrote " + path);
+  return text.text();
+}
+
+/// The status is among the warnings: the text has told it already.
+std::vector<std::string> untold_warnings(const RunReport& report, bool text_shown) {
+  std::vector<std::string> warnings = report.warnings;
+  if (text_shown) std::erase(warnings, report.status.sentence);
+  return warnings;
+}
+
+Exit exit_code(const RunReport& report, bool status_accepted, bool write_failed) {
+  const auto missed = [](const Verdict& verdict) { return !verdict.met; };
+  if (report.interrupted) return interrupted_exit;
+  if (report.status.code != Status::Code::ok && !status_accepted) return contract_left;
+  if (write_failed || std::any_of(report.verdicts.begin(), report.verdicts.end(), missed)) return check_failed;
+  return done;
+}
+
+}  // namespace
+
+Exit run(const Arguments& arguments) {
+  const Options options = run_options(arguments);
+  scenes::SceneFile file = load_scene(arguments);
+  check_memory(file.scene, options);
+  RunFiles files(file, arguments);
+  Delivery delivery(arguments);
+  watch_for_interrupt();
+  scenes::RunHooks hooks;
+  hooks.writers = files.writers();
+  RunReport report;
+  {
+    Progress progress(file.scene.name, !arguments.quiet);
+    hooks.progress = [&](double fraction) {
+      progress.show(fraction);
+      return !interrupted();
+    };
+    report = scenes::run(file, options, hooks);
+  }
+  const std::vector<std::string> failures = files.finish();
+  delivery.text(text_of(report, file.scene, files.written()));
+  delivery.json(scenes::to_json(report));
+  if (!arguments.quiet) warn(untold_warnings(report, delivery.wants_text()));
+  for (const std::string& failure : failures) complain(failure);
+  return exit_code(report, accepted(file.scene, report.status), !failures.empty());
+}
+
+}  // namespace ballpark::command

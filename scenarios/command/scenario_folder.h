@@ -1,0 +1,20 @@
+// Where scenarios stand, and how a SCENE on the command line is found.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ballpark::command {
+
+struct Scenario {
+  std::string name, file;
+};
+
+/// All scenarios, by name.
+std::vector<Scenario> scenarios();
+/// The file that a SCENE means. Throws UsageError with the nearest name if there is none.
+std::string scene_path(const std::string& scene);
+/// The comment that a scene file starts with, without the '#'.
+std::string leading_comment(const std::string& file);
+
+}  // namespace ballpark::command

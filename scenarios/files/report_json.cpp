@@ -1,0 +1,79 @@
+#include "scenarios/files/report_json.h"
+
+namespace ballpark::scenes {
+
+namespace {
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/// Body, step and time of the first thing that went wrong; null while nothing did.
+Json json_of(const Status& status) {
+  Json json = {{"code", name(status.code)}, {"sentence", status.sentence}};
+  const bool ok = status.code == Status::Code::ok;
+  json["body"] = ok ? Json(nullptr) : Json(status.body);
+  json["step"] = ok ? Json(nullptr) : Json(status.step);
+  json["time"] = ok ? Json(nullptr) : Json(status.time);
+  return json;
+}
+
+Json json_of(const Verdict& verdict) {
+  const Expectation& wanted = verdict.expectation;
+  return {{"quantity", wanted.quantity},
+          {"at", verdict.time},
+          {"measured", verdict.measured},
+          {"min", or_null(wanted.minimum)},
+          {"max", or_null(wanted.maximum)},
+          {"value", or_null(wanted.value)},
+          {"tolerance", or_null(wanted.tolerance)},
+          {"met", verdict.met},
+          {"sentence", verdict.sentence}};
+}
+
+Json verdicts_of(const RunReport& report) {
+  Json list = Json::array();
+  for (const Verdict& verdict : report.verdicts) list.push_back(json_of(verdict));
+  return list;
+}
+
+}  // namespace
+
+Json json_of(const RunReport& report) {
+  return {{"format", "ballpark-run-1"},
+          {"scenario", report.scenario},
+          {"status", json_of(report.status)},
+          {"bodies", report.bodies},
+          {"time", report.time},
+          {"steps", report.counters.steps},
+          {"rejected_steps", 0},
+          {"force_evaluations", report.counters.force_evaluations},
+          {"integrator", report.integrator},
+          {"step", report.step},
+          {"wall_seconds", report.wall_seconds},
+          {"body_steps_per_second", report.body_steps_per_second},
+          {"threads", report.threads},
+          {"precision", report.precision},
+          {"target", report.target},
+          {"path", report.path},
+          {"state_hash", report.state_hash},
+          {"energy",
+           {{"initial", report.initial.energy()},
+            {"final", report.final.energy()},
+            {"drift_relative", report.energy_drift_relative},
+            {"kinetic", report.final.kinetic},
+            {"potential", report.final.potential}}},
+          {"momentum", {{"drift", report.momentum_drift}}},
+          {"angular_momentum", {{"drift", report.angular_momentum_drift}}},
+          {"non_finite_bodies", report.final.non_finite_bodies},
+          {"warnings", report.warnings},
+          {"expectations", verdicts_of(report)}};
+}
+
+// JSON has no NaN or infinity: they become null.
+std::string to_json(const RunReport& report) {
+  return json_of(report).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace ballpark::scenes

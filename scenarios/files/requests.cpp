@@ -1,0 +1,87 @@
+#include "scenarios/files/requests.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scenarios/files/document.h"
+#include "scenarios/files/keys.h"
+
+namespace ballpark::scenes {
+
+namespace {
+
+class RequestCheck {
+ public:
+  explicit RequestCheck(const RunSettings& run) : run_(run) {}
+
+  void output(const OutputRequest& request, const std::string& path) {
+    optional_number("output", "every", request.every, path);
+    for (const double at : request.at) time("output", at, path);
+    if (request.every && !request.at.empty()) add(path + ".at", "stands beside every, expected one of the two");
+    if (!request.every && request.at.empty()) add(path, "has neither every nor at, expected one of the two");
+    const bool known_format = request.file.ends_with(".npz") || request.file.ends_with(".csv");
+    if (!known_format)
+      add(path + ".file", fmt::format("is \"{}\", expected a file name with .npz or .csv", printable(request.file)));
+  }
+
+  void expectation(const Expectation& expectation, const std::string& path) {
+    if (expectation.at) time("expect", *expectation.at, path);
+    optional_number("expect", "min", expectation.minimum, path);
+    optional_number("expect", "max", expectation.maximum, path);
+    optional_number("expect", "value", expectation.value, path);
+    optional_number("expect", "tolerance", expectation.tolerance, path);
+    const bool bounds = expectation.minimum || expectation.maximum;
+    if (bounds && (expectation.value || expectation.tolerance)) {
+      add(path, "has bounds and a value, expected min, max or both, or value with tolerance");
+    } else if (!bounds && !expectation.value) {
+      add(path, "has nothing to compare with, expected min, max or both, or value with tolerance");
+    } else if (expectation.value && !expectation.tolerance) {
+      add(path + ".tolerance", "is missing, expected " + expected(key("expect", "tolerance")) + " beside value");
+    }
+    if (expectation.minimum && expectation.maximum && *expectation.minimum > *expectation.maximum) {
+      add(path + ".max", fmt::format("is {}, expected at least min = {}", *expectation.maximum, *expectation.minimum));
+    }
+  }
+
+  std::vector<Problem> problems;
+
+ private:
+  void add(const std::string& path, const std::string& message) { problems.push_back({path, message}); }
+
+  bool number(const Key& key, double value, const std::string& path) {
+    const Range& range = key.range;
+    const bool inside = std::isfinite(value) && value <= range.maximum &&
+                        (range.above_minimum ? value > range.minimum : value >= range.minimum);
+    const std::string wanted = std::isfinite(value) ? expected(key) : "a finite number";
+    if (!inside) add(path + "." + key.name, fmt::format("is {}, expected {}", value, wanted));
+    return inside;
+  }
+
+  void optional_number(const char* table, const char* name, const std::optional<double>& value,
+                       const std::string& path) {
+    if (value) number(key(table, name), *value, path);
+  }
+
+  void time(const char* table, double at, const std::string& path) {
+    if (!number(key(table, "at"), at, path)) return;
+    if (at > run_.duration * (1 + 1e-9)) {
+      add(path + ".at", fmt::format("is {} s, expected at most run.duration = {} s", at, run_.duration));
+    }
+  }
+
+  const RunSettings& run_;
+};
+
+}  // namespace
+
+std::vector<Problem> check_requests(const SceneFile& file) {
+  RequestCheck check(file.scene.run);
+  for (std::size_t i = 0; i < file.outputs.size(); ++i) check.output(file.outputs[i], fmt::format("output[{}]", i));
+  for (std::size_t i = 0; i < file.expectations.size(); ++i) {
+    check.expectation(file.expectations[i], fmt::format("expect[{}]", i));
+  }
+  return std::move(check.problems);
+}
+
+}  // namespace ballpark::scenes

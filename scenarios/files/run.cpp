@@ -1,0 +1,214 @@
+// run: builds the world, steps it from one occasion to the next, samples, judges and reports.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "scenarios/files/judge.h"
+#include "scenarios/files/timetable.h"
+
+namespace ballpark::scenes {
+
+namespace {
+
+const char* word(Precision precision) {
+  switch (precision) {
+    case Precision::single_:
+      return "single";
+    case Precision::double_:
+      return "double";
+    case Precision::extended:
+      return "extended";
+  }
+  return "";
+}
+
+double ratio(double difference, double scale) {
+  return scale > 0 ? difference / scale : 0;
+}
+
+/// Steps a world between occasions, asks for progress about every tenth of a second, and keeps the time it took.
+class Driver {
+ public:
+  Driver(World& world, const RunHooks& hooks, std::uint64_t total) : world_(world), hooks_(hooks), total_(total) {}
+
+  /// False if the run was interrupted on the way.
+  bool advance(std::uint64_t step) {
+    while (world_.steps() < step) {
+      const std::uint64_t left = step - world_.steps();
+      walk(hooks_.progress ? std::min(chunk_, left) : left);
+      if (!hooks_.progress || since_progress_ < 0.1) continue;
+      since_progress_ = 0;
+      const double fraction = static_cast<double>(world_.steps()) / static_cast<double>(total_);
+      if (!hooks_.progress(fraction)) return false;
+    }
+    return true;
+  }
+
+  double seconds() const { return seconds_; }
+
+ private:
+  void walk(std::uint64_t steps) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    world_.step(steps);
+    const double taken = std::chrono::duration<double>(Clock::now() - start).count();
+    seconds_ += taken;
+    since_progress_ += taken;
+    if (steps == chunk_ && taken < 0.02) chunk_ *= 2;
+    if (taken > 0.1) chunk_ = std::max<std::uint64_t>(1, chunk_ / 2);
+  }
+
+  World& world_;
+  const RunHooks& hooks_;
+  std::uint64_t total_;
+  std::uint64_t chunk_ = 1;
+  double seconds_ = 0, since_progress_ = 0;
+};
+
+class Run {
+ public:
+  Run(const SceneFile& file, const Options& options, const RunHooks& hooks)
+      : file_(file),
+        hooks_(hooks),
+        steps_(file.scene.run.duration, file.scene.run.step),
+        world_(file.scene, options),
+        initial_(world_.totals()),
+        path_(world_.explain().path),
+        driver_(world_, hooks, steps_.count()),
+        judge_(file, world_, report()) {
+    plan();
+  }
+
+  RunReport finish() {
+    bool interrupted = false;
+    while (!interrupted) {
+      serve();
+      if (world_.steps() >= steps_.count()) break;
+      interrupted = !driver_.advance(next_stop());
+    }
+    RunReport last = report();
+    last.state_hash = fmt::format("{:016x}", world_.state_hash());
+    last.verdicts = judge_.verdicts();
+    last.warnings = warnings();
+    last.interrupted = interrupted;
+    return last;
+  }
+
+ private:
+  /// Something to do at some steps.
+  struct Duty {
+    Occasions occasions;
+    std::function<void()> action;
+  };
+
+  void plan() {
+    const double h = file_.scene.run.step;
+    for (std::size_t i = 0; i < std::min(file_.outputs.size(), hooks_.writers.size()); ++i) {
+      const OutputRequest& output = file_.outputs[i];
+      const auto write = [this, i] { hooks_.writers[i](world_); };
+      if (output.every) {
+        duties_.push_back({Occasions(*output.every / h, steps_.count()), write});
+      } else {
+        duties_.push_back({Occasions(nearest_steps(output.at)), write});
+      }
+    }
+    for (std::size_t i = 0; i < file_.expectations.size(); ++i) {
+      const double at = file_.expectations[i].at.value_or(file_.scene.run.duration);
+      const auto measure = [this, i] { judge_.measure(i, world_, [this] { return report(); }); };
+      duties_.push_back({Occasions(nearest_steps({at})), measure});
+    }
+  }
+
+  std::vector<std::uint64_t> nearest_steps(const std::vector<double>& times) const {
+    std::vector<std::uint64_t> list;
+    for (const double time : times) list.push_back(steps_.nearest(time));
+    return list;
+  }
+
+  void serve() {
+    for (Duty& duty : duties_) {
+      if (duty.occasions.next() != world_.steps()) continue;
+      duty.action();
+      duty.occasions.pass();
+    }
+  }
+
+  std::uint64_t next_stop() const {
+    std::uint64_t stop = steps_.count();
+    for (const Duty& duty : duties_) stop = std::min(stop, duty.occasions.next().value_or(stop));
+    return stop;
+  }
+
+  /// The run as it stands; without what only its end can tell.
+  RunReport report() const {
+    RunReport now;
+    now.scenario = file_.scene.name;
+    now.status = world_.status();
+    now.bodies = world_.body_count();
+    now.time = world_.time();
+    now.counters = world_.counters();
+    now.integrator = file_.scene.run.integrator;
+    now.step = file_.scene.run.step;
+    now.wall_seconds = driver_.seconds();
+    now.body_steps_per_second =
+        ratio(static_cast<double>(now.bodies) * static_cast<double>(now.counters.steps), now.wall_seconds);
+    now.threads = world_.threads();
+    now.precision = word(world_.precision());
+    now.target = world_.target();
+    now.path = path_;
+    now.initial = initial_;
+    now.final = world_.totals();
+    add_drifts(now);
+    return now;
+  }
+
+  static void add_drifts(RunReport& now) {
+    const Totals &a = now.initial, &b = now.final;
+    const double energy_scale = std::max({std::abs(a.energy()), std::abs(b.energy()), a.kinetic, b.kinetic});
+    now.energy_drift_relative = ratio(b.energy() - a.energy(), energy_scale);
+    now.momentum_drift = ratio((b.momentum - a.momentum).norm(), std::max(a.momentum_scale, b.momentum_scale));
+    now.angular_momentum_drift = ratio((b.angular_momentum - a.angular_momentum).norm(),
+                                       std::max(a.angular_momentum_scale, b.angular_momentum_scale));
+  }
+
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> list;
+    const RunSettings& run = file_.scene.run;
+    if (steps_.remainder() > 0) {
+      list.push_back(
+          fmt::format("run.duration = {} s is not a whole number of steps of {} s: the last {:.6g} s are not run",
+                      run.duration, run.step, steps_.remainder()));
+    }
+    for (std::size_t i = 0; i < file_.outputs.size(); ++i) {
+      if (file_.outputs[i].every.value_or(run.step) >= run.step * (1 - 1e-9)) continue;
+      list.push_back(fmt::format("output[{}].every = {} s is shorter than a step: one frame is written each step", i,
+                                 *file_.outputs[i].every));
+    }
+    if (world_.status().code != Status::Code::ok) list.push_back(world_.status().sentence);
+    if (const std::size_t lost = world_.totals().non_finite_bodies; lost > 0) {
+      list.push_back(fmt::format("{} of {} bodies are not finite; they are left out of energy and momentum", lost,
+                                 world_.body_count()));
+    }
+    return list;
+  }
+
+  const SceneFile& file_;
+  const RunHooks& hooks_;
+  Steps steps_;
+  World world_;
+  Totals initial_;
+  std::string path_;
+  Driver driver_;
+  Judge judge_;
+  std::vector<Duty> duties_;
+};
+
+}  // namespace
+
+RunReport run(const SceneFile& file, const Options& options, const RunHooks& hooks) {
+  return Run(file, options, hooks).finish();
+}
+
+}  // namespace ballpark::scenes

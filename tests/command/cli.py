@@ -1,0 +1,14 @@
+"""Drives the program as its users do: exit codes, error texts, JSON, files.
+usage: cli.py PROGRAM SCENARIOS_FOLDER [unittest options]"""
+
+import sys
+import unittest
+
+from file_cases import Files, Streams
+from scene_cases import Profile, Runs, Scenes
+from usage_cases import Catalogue, Usage
+
+__all__ = ["Catalogue", "Files", "Profile", "Runs", "Scenes", "Streams", "Usage"]
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

@@ -1,0 +1,194 @@
+// The scalar oracle: the kernels' own templates on plain Real, beside the tables of all targets, bit by bit. Included
+// once for each precision.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "engine/core/flush_denormals.h"
+#include "engine/integrators/rows.h"
+#include "engine/world/local_step.h"
+#include "engine/world/world.h"
+#include "tests/catch.h"
+#include "tests/determinism/scenarios.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+namespace oracle {
+
+inline constexpr std::size_t rows = 48;  // three of the widest vectors
+inline constexpr int most_values = max_state_size;
+
+/// Random numbers of every kind that a column can hold: mostly of size 1, some tiny, huge, zero or denormal.
+class Numbers {
+ public:
+  explicit Numbers(unsigned seed) : engine_(seed) {}
+  Real plain() { return static_cast<Real>(static_cast<double>(engine_()) / 2147483648.0 - 1); }
+  Real any() {
+    using Limits = std::numeric_limits<Real>;
+    switch (engine_() % 16) {
+      case 0:
+        return plain() * Limits::min();  // denormal
+      case 1:
+        return std::bit_cast<Real>(static_cast<Word>(engine_() % 9));  // the smallest of all, and zero
+      case 2:
+        return -Real(0);
+      case 3:
+        return plain() * std::sqrt(Limits::min());
+      case 4:
+        return plain() * std::sqrt(std::sqrt(Limits::max()));
+      default:
+        return plain();
+    }
+  }
+  Real positive() { return Real(0.25) + std::abs(plain()); }
+  std::vector<Real> column(Real (Numbers::*draw)()) {
+    std::vector<Real> values(rows);
+    for (Real& value : values) value = (this->*draw)();
+    return values;
+  }
+  using Word = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// A group's columns, random, with every local effect on it. Not to be copied: kernels hold pointers into it.
+class RandomGroup {
+ public:
+  RandomGroup(unsigned seed, bool compensated) : numbers_(seed) {
+    make(kernel.state.position, &Numbers::any);
+    make(kernel.state.velocity, &Numbers::any);
+    make(kernel.state.momentum, &Numbers::any);
+    make(kernel.state.orientation, &Numbers::plain);
+    make(kernel.trial.position, &Numbers::plain);
+    make(kernel.trial.velocity, &Numbers::plain);
+    make(kernel.trial.momentum, &Numbers::plain);
+    make(kernel.trial.orientation, &Numbers::plain);
+    make(kernel.trial_spin, &Numbers::plain);
+    make(carry_, &Numbers::any);
+    make(rates_, &Numbers::plain);
+    for (PerBody& inverse : kernel.constants.inverse_inertia) inverse.rows = add(&Numbers::plain);
+    for (PerBody& arm : kernel.constants.arm) arm.rows = add(&Numbers::plain);
+    for (PerBody& pivot : kernel.constants.pivot) pivot.value = numbers_.plain();
+    kernel.constants.mass.rows = add(&Numbers::positive);
+    kernel.rates = rates_;
+    if (compensated) kernel.carry = carry_;
+    add_effects(LocalEffects{});
+  }
+  RandomGroup(const RandomGroup&) = delete;
+  RandomGroup& operator=(const RandomGroup&) = delete;
+
+  StepGroup kernel;
+  const std::deque<std::vector<Real>>& columns() const { return columns_; }
+
+ private:
+  Real* add(Real (Numbers::*draw)()) { return columns_.emplace_back(numbers_.column(draw)).data(); }
+  template <std::size_t n>
+  void make(Real* (&pointers)[n], Real (Numbers::*draw)()) {
+    for (Real*& pointer : pointers) pointer = add(draw);
+  }
+
+  template <class... E>
+  void add_effects(EffectList<E...>) {
+    EffectSlot* slot = kernel.forces.slots;
+    ((*slot++ = {constants_of<E>(), 2}), ...);
+  }
+  /// Two instances: one for all rows, one for a single row where the effect can choose; anchors for each body.
+  template <class E>
+  const void* constants_of() {
+    using Constants = typename E::Constants;
+    auto& made = storage_.emplace_back(2 * sizeof(Constants));
+    for (int i = 0; i < 2; ++i) {
+      Constants c = random_constants<Constants>();
+      if constexpr (requires { c.rows; }) c.rows.row = i == 0 ? -1 : 21;
+      if constexpr (requires { c.anchor; }) {
+        for (PerBody& anchor : c.anchor) anchor.rows = add(&Numbers::plain);
+        c.rest_length = i == 0 ? Real(0) : Real(0.5);
+      }
+      std::memcpy(made.data() + static_cast<std::size_t>(i) * sizeof(Constants), &c, sizeof c);
+    }
+    return made.data();
+  }
+  template <class Constants>
+  Constants random_constants() {
+    Constants c{};
+    if constexpr (requires { c.acceleration; }) c.acceleration = vector();
+    if constexpr (requires { c.coefficient; }) c.coefficient = numbers_.positive();
+    if constexpr (requires { c.stiffness; }) c.stiffness = numbers_.positive();
+    if constexpr (requires { c.damping; }) c.damping = numbers_.positive();
+    if constexpr (requires { c.centre; }) c.centre = vector();
+    if constexpr (requires { c.strength; }) c.strength = numbers_.positive();
+    if constexpr (requires { c.force; }) c.force = vector();
+    if constexpr (requires { c.torque; }) c.torque = vector();
+    return c;
+  }
+  Vector3<Real> vector() { return {numbers_.plain(), numbers_.plain(), numbers_.plain()}; }
+
+  Numbers numbers_;
+  std::deque<std::vector<Real>> columns_;
+  std::deque<std::vector<std::byte>> storage_;
+  Real* carry_[most_values] = {};
+  Real* rates_[max_phases * most_values] = {};
+};
+
+/// Which bits differ first, as "column 3, row 17", or "" if none. NaN equals NaN.
+inline std::string difference(const RandomGroup& a, const RandomGroup& b) {
+  for (std::size_t c = 0; c < a.columns().size(); ++c) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      const Real x = a.columns()[c][row], y = b.columns()[c][row];
+      if (std::isnan(x) && std::isnan(y)) continue;
+      if (std::memcmp(&x, &y, sizeof x) == 0) continue;
+      return "column " + std::to_string(c) + ", row " + std::to_string(row);
+    }
+  }
+  return "";
+}
+
+/// A step of all rows on the path; returns whether the kernel found everything finite.
+inline bool step(const KernelTable& table, const Method& method, int motion, bool fused, const StepGroup& group) {
+  const auto family = static_cast<std::size_t>(method.family);
+  const auto m = static_cast<std::size_t>(motion);
+  if (fused) return table.fused[family][m](group, method, 0, rows);
+  for (int phase = 0; phase < method.phases; ++phase) {
+    table.prepare[family][m](group, method, phase, 0, rows);
+    table.evaluate[m](group, phase, 0, rows);
+  }
+  return table.finish[family][m](group, method, 0, rows);
+}
+
+/// One random group, moved by the oracle and by the target's kernels.
+inline void compare(const KernelTable& kernels, const Row& row, int motion, bool compensated, unsigned seed) {
+  static constexpr KernelTable scalar = table_of_all_motions<Real>("scalar");
+  const Method method = method_for(row, 0.01);
+  for (const bool fused : {true, false}) {
+    CAPTURE(kernels.target, row.name, motion, compensated, seed, fused);
+    RandomGroup one(seed, compensated), other(seed, compensated);
+    const RandomGroup before(seed, compensated);
+    REQUIRE(difference(one, other).empty());
+    const bool finite = step(scalar, method, motion, fused, one.kernel);
+    CHECK(step(kernels, method, motion, fused, other.kernel) == finite);
+    CHECK(difference(one, other) == "");
+    CHECK(difference(one, before) != "");
+  }
+}
+
+inline void compare_everything() {
+  for (const std::string& target : scenarios::available_targets()) {
+    const KernelTable* kernels = kernel_table(target);
+    REQUIRE(kernels != nullptr);
+    for (const Row& row : BALLPARK_PRECISION::rows()) {
+      for (int motion = 0; motion < motion_count; ++motion) {
+        for (unsigned seed = 1; seed <= 8; ++seed) compare(*kernels, row, motion, seed % 2 == 0, seed);
+      }
+    }
+  }
+}
+
+}  // namespace oracle
+
+}  // namespace ballpark::BALLPARK_PRECISION

@@ -1,0 +1,116 @@
+// Each row's observed order on smooth scenes: halving the step three times, the two finest slopes.
+#include "tests/catch.h"
+#include "tests/methods/rows.h"
+
+using namespace ballpark;
+using namespace ballpark::tests;
+
+namespace {
+
+/// The two finest slopes are within 0.15 of the order, or within 0.3 where rounding begins to show.
+void has_its_order(const IntegratorDescription& row, const Refinement& refinement) {
+  const auto& errors = refinement.errors;
+  INFO(row.name << ": " << errors[0] << ", " << errors[1] << ", " << errors[2] << ", " << errors[3]);
+  for (const std::size_t halving : {1U, 2U}) {
+    const long double margin = errors[halving + 1] < 1e-11L ? 0.3L : 0.15L;
+    CHECK(std::abs(refinement.slope(halving) - row.order) < margin);
+  }
+}
+
+long double pendulum_error(const World& world) {
+  return std::max(std::abs(pendulum_angle(world) - 0.278680673569982948L),
+                  std::abs(pendulum_rate(world) + 4.34316069286468305L));
+}
+
+/// On the unit orbit: E - e sin E = t by Newton's method.
+Numbers on_orbit(long double e, long double t) {
+  long double anomaly = t;
+  for (int i = 0; i < 50; ++i) anomaly -= (anomaly - e * std::sin(anomaly) - t) / (1 - e * std::cos(anomaly));
+  const long double b = std::sqrt(1 - e * e), rate = 1 / (1 - e * std::cos(anomaly));
+  return {std::cos(anomaly) - e, b * std::sin(anomaly), -rate * std::sin(anomaly), rate * b * std::cos(anomaly)};
+}
+
+long double orbit_error(const World& world, long double e, long double t) {
+  const Numbers x = position(world), v = velocity(world);
+  return largest_difference({x[0], x[1], v[0], v[1]}, on_orbit(e, t));
+}
+
+/// Angle between two orientations [rad], exact for small ones.
+long double angle_between(const Numbers& q, const Numbers& reference) {
+  long double square = 0;
+  for (std::size_t i = 0; i < 4; ++i) square += (q[i] - reference[i]) * (q[i] - reference[i]);
+  return 4 * std::asin(std::sqrt(square) / 2);
+}
+
+}  // namespace
+
+TEST_CASE("order on the pendulum: a particle on a rod", "[methods]") {
+  for (const IntegratorDescription& row : integrators()) {
+    const std::uint64_t n = row.order == 1 ? 64000 : row.order == 2 ? 8000 : 1000;
+    has_its_order(row, refine(pendulum(pi / 2, 10, 1, row.name), n, pendulum_error));
+  }
+}
+
+TEST_CASE("order on the pendulum: a rigid body of the same period", "[methods]") {
+  for (const IntegratorDescription& row : integrators()) {
+    Scene made = pendulum(pi / 2, 10, 1, row.name);
+    made.bodies[0].position = {{0.5, 0, 0}};  // (I + m a^2) / (m a) = 1 m, as for the particle
+    made.bodies[0].inertia = {{0.3, 0.25, 0.2}};
+    const std::uint64_t n = row.order == 1 ? 64000 : row.order == 2 ? 8000 : 1000;
+    has_its_order(row, refine(made, n, [](const World& world) {
+                    const Numbers x = position(world), v = velocity(world);
+                    return std::max(std::abs(std::atan2(x[0], -x[2]) - 0.278680673569982948L),
+                                    std::abs((x[0] * v[2] - x[2] * v[0]) / 0.25L + 4.34316069286468305L));
+                  }));
+  }
+}
+
+TEST_CASE("order on the Kepler orbit, e = 0.6", "[methods]") {
+  const Numbers known = on_orbit(0.6L, 20);
+  CHECK(largest_difference(known, {-0.77007557841124045L, 0.78834481699442439L, -0.8941837319886915L,
+                                   -0.12346176415844096L}) < 1e-15L);
+  for (const IntegratorDescription& row : integrators()) {
+    const std::uint64_t n = row.order == 1 ? 64000 : row.order == 2 ? 8000 : 1000;
+    has_its_order(
+        row, refine(orbit(0.6, 8, 1, row.name), n, [](const World& world) { return orbit_error(world, 0.6L, 8); }));
+  }
+}
+
+TEST_CASE("order on a body that tumbles freely: the angle to the true orientation", "[methods]") {
+  const Numbers reference =
+      one_sign({0.401006595702115135L, -0.367493469174623553L, -0.583785903125753275L, 0.602773821287096871L});
+  for (const IntegratorDescription& row : integrators()) {
+    // Without torque the splitting rows are their drift, the midpoint rule.
+    IntegratorDescription as_rotation = row;
+    if (row.family == "splitting") as_rotation.order = 2;
+    const std::uint64_t n = as_rotation.order == 1 ? 32000 : as_rotation.order == 2 ? 2000 : 500;
+    has_its_order(as_rotation,
+                  refine(scene(rigid_body({1, 2, 3}, {1, 0.5, -0.7}), {}, 10, 1, row.name), n,
+                         [&](const World& world) { return angle_between(orientation(world), reference); }));
+  }
+}
+
+TEST_CASE("order with forces that read velocity: thrown with linear drag", "[methods]") {
+  for (const IntegratorDescription& row : integrators()) {
+    const Scene made =
+        scene(particle(Vector3d::Zero(), {5, 0, 20}), {gravity(), effect("linear_drag", 0.5)}, 3, 1, row.name);
+    has_its_order(row, refine(made, row.order == 4 ? 30 : 300, [](const World& world) {
+                    const long double k = 0.5L, g = 9.81L, t = 3, decay = std::exp(-k * t);
+                    const long double x = 5 / k * (1 - decay), z = (20 + g / k) / k * (1 - decay) - g * t / k;
+                    const long double vx = 5 * decay, vz = (20 + g / k) * decay - g / k;
+                    const Numbers p = position(world), v = velocity(world);
+                    return largest_difference({p[0], p[2], v[0], v[2]}, {x, z, vx, vz});
+                  }));
+  }
+}
+
+TEST_CASE("order with position and velocity in one force: damped oscillator", "[methods]") {
+  for (const IntegratorDescription& row : integrators()) {
+    const Scene made = scene(particle({1, 0, 0}), {spring(25, 0.4)}, 10, 1, row.name);
+    const std::uint64_t n = row.order == 1 ? 64000 : row.order == 2 ? 4000 : 1000;
+    has_its_order(row, refine(made, n, [](const World& world) {
+                    return largest_difference({position(world)[0], velocity(world)[0]},
+                                              {0.127439385220689954L, 0.203686033903173761L});
+                  }));
+  }
+}

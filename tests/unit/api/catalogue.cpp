@@ -1,0 +1,67 @@
+// The catalogue is what worlds accept: every name in it works, and lists describe themselves.
+#include "ballpark/catalogue.h"
+
+#include "tests/catch.h"
+#include "tests/unit/world/made_scenes.h"
+
+using namespace made_scenes;
+using ballpark::World;
+
+TEST_CASE("Catalogue: every effect and integrator runs", "[api]") {
+  for (const ballpark::EffectDescription& description : ballpark::effects()) {
+    for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
+      Scene scene = scene_of({bricks("b", 3)}, {sample(description)});
+      scene.run.integrator = integrator.name;
+      World with(scene);
+      scene.effects.clear();
+      World without(scene);
+      with.step(10);
+      without.step(10);
+      CAPTURE(description.name, integrator.name);
+      CHECK(with.status().code == ballpark::Status::Code::ok);
+      CHECK(with.body(0).has_orientation);
+      CHECK(with.totals().non_finite_bodies == 0);
+      CHECK(with.state_hash() != without.state_hash());
+    }
+  }
+}
+
+TEST_CASE("Catalogue: shapes, rotations and targets are accepted where they belong", "[api]") {
+  for (const ballpark::NamedDescription& shape : ballpark::shapes()) {
+    Scene scene = scene_of({balls("s", 1)});
+    scene.bodies[0].shape = shape.name;
+    CHECK(check(scene).empty());
+    CHECK_FALSE(shape.doc.empty());
+  }
+  for (const ballpark::NamedDescription& rotation : ballpark::rotations()) {
+    Scene scene = scene_of({bricks("b", 1)});
+    scene.run.rotation = rotation.name;
+    CHECK(check(scene).empty());
+    CHECK_FALSE(rotation.doc.empty());
+  }
+  CHECK(ballpark::targets().at(0).name == "base");
+  CHECK(ballpark::targets().at(0).available);
+  for (const ballpark::NamedDescription& target : ballpark::targets()) {
+    if (target.available) CHECK(World(scene_of({}), {.target = target.name}).target() == target.name);
+  }
+}
+
+TEST_CASE("Catalogue: what an effect exerts and reads is what it does", "[api]") {
+  for (const ballpark::EffectDescription& description : ballpark::effects()) {
+    const bool reads_spin = contains(description.reads, "spin");
+    Scene scene = scene_of({particles("p", 1)}, {sample(description)});
+    const bool refused = !check(scene).empty();
+    CAPTURE(description.name);
+    CHECK(refused == ((reads_spin || description.name == "torque") && description.name != "pivot"));
+  }
+}
+
+TEST_CASE("Catalogue: the nearest name", "[api]") {
+  const std::vector<std::string> names{"gravity", "linear_drag", "magnus"};
+  CHECK(ballpark::nearest("gravty", names) == "gravity");
+  CHECK(ballpark::nearest("lineardrag", names) == "linear_drag");
+  CHECK(ballpark::nearest("zzz", names).empty());
+  CHECK(ballpark::nearest("", names).empty());
+  CHECK(ballpark::nearest("gravity", {}).empty());
+  CHECK_FALSE(ballpark::version().empty());
+}

@@ -1,0 +1,174 @@
+// Each effect's force against its formula, its energy as the force's potential, its force derivative against the
+// difference of forces along a path, and its stiffness against the force's response.
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "engine/effects/local_effects.h"
+#include "tests/catch.h"
+
+using namespace ballpark::BALLPARK_PRECISION;
+using ballpark::Value;
+using ballpark::Vector3d;
+
+namespace {
+
+using Vector = Vector3<Real>;
+
+const Body<Real> body{0, 2.5, {0.3, -0.7, 1.1}, {1.5, 0.25, -2}, {3, -1, 0.5}};
+const Acceleration<Real> bend{{0.4, 2, -0.3}, {-0.6, 0.1, 1.3}};
+
+/// The effect's constants from parameters, as build packs them; per-body vectors as one value.
+template <class E>
+typename E::Constants packed(const std::map<std::string, Value>& parameters) {
+  const auto per_body = [](const std::string&, const std::vector<Vector3d>& rows) {
+    return std::array<PerBody, 3>{PerBody{nullptr, rows[0].x()}, {nullptr, rows[0].y()}, {nullptr, rows[0].z()}};
+  };
+  return E::pack(EffectInput{parameters, 3.0, per_body});
+}
+
+template <class E>
+Loads<Real> loads(const typename E::Constants& c, const Body<Real>& b) {
+  Loads<Real> sum;
+  E::force(c, b, sum);
+  return sum;
+}
+
+bool near(const Vector& a, const Vector& b, double tolerance) {
+  const Vector d = a - b;
+  return std::sqrt(dot(d, d)) <= tolerance * (1 + std::sqrt(dot(b, b)));
+}
+
+/// The body a time t later, on the path that it is on.
+Body<Real> later(double t) {
+  Body<Real> b = body;
+  b.position += t * body.velocity + t * t / 2 * bend.linear;
+  b.velocity += t * bend.linear;
+  b.spin += t * bend.angular;
+  return b;
+}
+
+template <class E>
+void check_force_rate(const typename E::Constants& c) {
+  Loads<Real> rate;
+  E::force_rate(c, body, bend, rate);
+  const double t = 1e-5;
+  const Loads<Real> after = loads<E>(c, later(t)), before = loads<E>(c, later(-t));
+  CHECK(near(rate.force, (1 / (2 * t)) * (after.force - before.force), 1e-8));
+  CHECK(near(rate.torque, (1 / (2 * t)) * (after.torque - before.torque), 1e-8));
+}
+
+/// F = -grad E. Forces that read velocity are taken at rest.
+template <class E>
+void check_energy(const typename E::Constants& c) {
+  Body<Real> still = body;
+  still.velocity = {};
+  const double t = 1e-5;
+  const auto slope = [&](Vector along) {
+    Body<Real> ahead = still, behind = still;
+    ahead.position += t * along;
+    behind.position -= t * along;
+    return (E::energy(c, ahead) - E::energy(c, behind)) / (2 * t);
+  };
+  CHECK(near(loads<E>(c, still).force, {-slope({1, 0, 0}), -slope({0, 1, 0}), -slope({0, 0, 1})}, 1e-8));
+}
+
+const Value vector = Vector3d(1, -2, 0.5);
+const std::vector<Vector3d> anchor{{0.1, 0.2, -0.3}};
+
+}  // namespace
+
+TEST_CASE("Effects: gravity", "[effects]") {
+  const auto c = packed<Gravity>({{"acceleration", vector}});
+  CHECK(near(loads<Gravity>(c, body).force, {2.5, -5, 1.25}, 1e-15));
+  CHECK(near(loads<Gravity>(c, body).torque, {}, 0));
+  check_energy<Gravity>(c);
+  check_force_rate<Gravity>(c);
+}
+
+TEST_CASE("Effects: linear drag", "[effects]") {
+  const auto c = packed<LinearDrag>({{"coefficient", 0.5}});
+  CHECK(near(loads<LinearDrag>(c, body).force, {-0.75, -0.125, 1}, 1e-15));
+  check_force_rate<LinearDrag>(c);
+}
+
+TEST_CASE("Effects: quadratic drag", "[effects]") {
+  const auto c = packed<QuadraticDrag>({{"coefficient", 0.5}});
+  const double speed = std::sqrt(1.5 * 1.5 + 0.25 * 0.25 + 4);
+  CHECK(near(loads<QuadraticDrag>(c, body).force, -0.5 * speed * body.velocity, 1e-15));
+  check_force_rate<QuadraticDrag>(c);
+  Body<Real> still = body;
+  still.velocity = {};
+  Loads<Real> rate;
+  QuadraticDrag::force_rate(c, still, bend, rate);
+  CHECK(near(rate.force, {}, 0));
+}
+
+TEST_CASE("Effects: Magnus lift", "[effects]") {
+  const auto c = packed<Magnus>({{"coefficient", 2.0}});
+  CHECK(near(loads<Magnus>(c, body).force, {2 * 1.875, 2 * 6.75, 2 * 2.25}, 1e-15));
+  check_force_rate<Magnus>(c);
+}
+
+TEST_CASE("Effects: springs with and without length, damped", "[effects]") {
+  for (const double length : {0.0, 0.4, 5.0}) {
+    const auto c = packed<Spring>({{"anchor", anchor}, {"stiffness", 8.0}, {"damping", 0.5}, {"rest_length", length}});
+    const Vector r = {0.2, -0.9, 1.4};
+    const double distance = std::sqrt(dot(r, r));
+    const Vector expected = (-8 * (distance - length) / distance) * r - 0.5 * body.velocity;
+    CAPTURE(length);
+    CHECK(near(loads<Spring>(c, body).force, expected, 1e-14));
+    check_energy<Spring>(c);
+    check_force_rate<Spring>(c);
+    Body<Real> there = body;
+    there.position = {0.1, 0.2, -0.3};
+    there.velocity = {};
+    CHECK(near(loads<Spring>(c, there).force, {}, 0));
+    CHECK(std::abs(Spring::energy(c, there) - 4 * length * length) < 1e-12);
+  }
+}
+
+TEST_CASE("Effects: central gravity, softened and not", "[effects]") {
+  for (const double softening : {0.0, 0.5}) {
+    const auto c = packed<CentralGravity>({{"centre", vector}, {"strength", 3.0}, {"softening", softening}});
+    const Vector r = body.position - Vector{1, -2, 0.5};
+    const double square = dot(r, r) + softening * softening;
+    CHECK(near(loads<CentralGravity>(c, body).force, (-2.5 * 3 / std::pow(square, 1.5)) * r, 1e-14));
+    check_energy<CentralGravity>(c);
+    check_force_rate<CentralGravity>(c);
+  }
+}
+
+TEST_CASE("Effects: applied force and torque, while they last and where they act", "[effects]") {
+  const double forever = std::numeric_limits<double>::infinity();
+  auto force =
+      packed<AppliedForce>({{"force", vector}, {"offset", Vector3d(0, 0, 2)}, {"at", 0.0}, {"until", forever}});
+  auto torque = packed<AppliedTorque>({{"torque", vector}, {"at", 0.0}, {"until", forever}});
+  CHECK(near(loads<AppliedForce>(force, body).force, {1, -2, 0.5}, 0));
+  CHECK(near(loads<AppliedForce>(force, body).torque, {4, 2, 0}, 1e-15));
+  CHECK(near(loads<AppliedTorque>(torque, body).torque, {1, -2, 0.5}, 0));
+  CHECK(near(loads<AppliedTorque>(torque, body).force, {}, 0));
+  check_force_rate<AppliedForce>(force);
+  check_force_rate<AppliedTorque>(torque);
+  force.rows.row = torque.rows.row = 3;
+  CHECK(near(loads<AppliedForce>(force, body).force, {}, 0));
+  CHECK(near(loads<AppliedTorque>(torque, body).torque, {}, 0));
+  force.rows.row = torque.rows.row = 0;
+  CHECK(near(loads<AppliedForce>(force, body).force, {1, -2, 0.5}, 0));
+  force.window.active = torque.window.active = false;
+  CHECK(near(loads<AppliedForce>(force, body).force, {}, 0));
+  CHECK(near(loads<AppliedTorque>(torque, body).torque, {}, 0));
+}
+
+TEST_CASE("Effects: stiffness is the force's response", "[effects]") {
+  const auto input = [](const std::map<std::string, Value>& parameters, double speed) {
+    return EffectInput{parameters, speed, {}};
+  };
+  const std::map<std::string, Value> spring{
+      {"anchor", anchor}, {"stiffness", 8.0}, {"damping", 0.5}, {"rest_length", 1.0}};
+  CHECK(Spring::stiffness(input(spring, 3)).spring == 8);
+  CHECK(Spring::stiffness(input(spring, 3)).damping == 0.5);
+  const std::map<std::string, Value> drag{{"coefficient", 0.5}};
+  CHECK(LinearDrag::stiffness(input(drag, 3)).damping == 0.5);
+  CHECK(QuadraticDrag::stiffness(input(drag, 3)).damping == 3);  // d(k v^2)/dv = 2 k v
+}

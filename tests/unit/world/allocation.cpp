@@ -1,0 +1,69 @@
+// A step, once warm, asks for no heap memory.
+#include "tests/catch.h"
+#include "tests/unit/world/allocation_counter.h"
+#include "tests/unit/world/made_scenes.h"
+
+using namespace made_scenes;
+using allocation_counter::allocations;
+using ballpark::Path;
+using ballpark::World;
+
+namespace {
+
+constexpr double h = 1.0 / 128;
+
+/// Several blocks, every motion, and events within steps.
+Scene busy() {
+  Scene scene =
+      scene_of({particles("p", 9001), spinning(balls("s", 5003)), bricks("b", 4999), particles("pivoted", 99)},
+               {effect("gravity"), effect("pivot", {{"point", Vector3d(0, 0, 9)}}, {"pivoted"}),
+                effect("magnus", {{"coefficient", 0.1}}, {"s"}),
+                effect("force", {{"force", Vector3d(1, 2, 3)}, {"at", 30.5 * h}, {"until", 60.5 * h}})});
+  scene.impulses = {{.at = 40.5 * h, .id = 17, .J = {1, 2, 3}, .offset = {}}};
+  return scene;
+}
+
+std::uint64_t allocations_of_100_steps(const Scene& scene, const Options& options,
+                                       const std::vector<UserEffect>& users = {}) {
+  World world(scene, options, users);
+  world.step(20);
+  const std::uint64_t before = allocations();
+  for (int i = 0; i < 100; ++i) world.step();
+  return allocations() - before;
+}
+
+}  // namespace
+
+TEST_CASE("Allocation: the counter counts", "[allocation]") {
+  const std::uint64_t before = allocations();
+  const std::vector<int> memory(1000);
+  allocation_counter::use(memory.data());
+  CHECK(allocations() > before);
+  const std::uint64_t aligned = allocations();
+  void* raw = ::operator new (256, std::align_val_t{64});
+  allocation_counter::use(raw);
+  ::operator delete (raw, std::align_val_t{64});
+  CHECK(allocations() > aligned);
+}
+
+TEST_CASE("Allocation: none in 100 steps, on both paths, with one thread and with two threads", "[allocation]") {
+  for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
+    Scene scene = busy();
+    scene.run.integrator = integrator.name;
+    for (const int threads : {1, 2}) {
+      for (const Path path : {Path::fused, Path::staged}) {
+        CAPTURE(integrator.name, threads, path == Path::staged);
+        CHECK(allocations_of_100_steps(scene, {.threads = threads, .path = path}) == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("Allocation: none in a user effect's passes either", "[allocation]") {
+  UserEffect wind;
+  wind.name = "wind";
+  wind.run_double = [](const ballpark::BodyBlock<double>& block) {
+    for (std::size_t i = 0; i < block.count; ++i) block.force[0][i] += 0.1;
+  };
+  for (const int threads : {1, 2}) CHECK(allocations_of_100_steps(busy(), {.threads = threads}, {wind}) == 0);
+}

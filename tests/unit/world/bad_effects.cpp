@@ -1,0 +1,152 @@
+// Bad effects, options and user effects: refused with the nearest choice, before anything is built.
+#include <limits>
+
+#include "tests/catch.h"
+#include "tests/unit/world/made_scenes.h"
+
+using namespace made_scenes;
+using ballpark::ParameterInfo;
+using ballpark::ParameterKind;
+using ballpark::Path;
+using ballpark::Precision;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The one problem of a scene of two balls, two bricks and two particles under the effect.
+Problem problem_of(const Effect& made) {
+  const Scene scene = scene_of({balls("s", 2), bricks("b", 2), particles("p", 2)}, {made});
+  const std::vector<Problem> found = check(scene);
+  CAPTURE(made.kind, found.size());
+  REQUIRE(found.size() == 1);
+  CHECK(problems_of(scene).size() == 1);
+  return found[0];
+}
+
+void check_problem(const Effect& made, const std::string& path, const std::string& words) {
+  const Problem problem = problem_of(made);
+  CAPTURE(problem.message, words);
+  CHECK(problem.path == path);
+  CHECK(contains(problem.message, words));
+}
+
+/// A value of another type than the parameter's.
+Value wrong_type(ParameterKind kind) {
+  return kind == ParameterKind::number ? Value(Vector3d(1, 2, 3)) : Value(std::string("up"));
+}
+
+Effect on_bricks(const ballpark::EffectDescription& description) {
+  Effect made = sample(description);
+  made.groups = {"b"};
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("Bad effects: every parameter of every effect is required, typed and finite", "[check]") {
+  for (const ballpark::EffectDescription& description : ballpark::effects()) {
+    CHECK(check(scene_of({bricks("b", 2)}, {on_bricks(description)})).empty());
+    for (const ParameterInfo& parameter : description.parameters) {
+      const std::string path = "effects[0]." + parameter.name;
+      CAPTURE(description.name, parameter.name);
+      Effect made = on_bricks(description);
+      if (!parameter.fallback) {
+        made.parameters.erase(parameter.name);
+        check_problem(made, path, "is missing, expected ");
+      }
+      made.parameters[parameter.name] = wrong_type(parameter.kind);
+      check_problem(made, path, "[" + parameter.unit + "]");
+      const bool number = parameter.kind == ParameterKind::number;
+      made.parameters[parameter.name] = number ? Value(nan) : Value(Vector3d(0, nan, 0));
+      check_problem(made, path, "is nan");
+      if (std::isinf(parameter.minimum)) continue;
+      made.parameters[parameter.name] = parameter.minimum - 1;
+      check_problem(made, path, ">= ");
+    }
+  }
+}
+
+TEST_CASE("Bad effects: unknown kinds, parameters and groups name the nearest", "[check]") {
+  check_problem(effect("gravty"), "effects[0].kind", "unknown effect \"gravty\"; did you mean \"gravity\"?");
+  check_problem(effect("xyz"), "effects[0].kind", "expected one of gravity");
+  check_problem(effect("gravity", {{"acceleraton", Vector3d(0, 0, 0)}}), "effects[0].acceleraton", "\"acceleration\"?");
+  check_problem(effect("gravity", {}, {"bb"}), "effects[0].groups", "unknown group \"bb\"");
+  check_problem(effect("gravity", {}, {"b", "nobody"}), "effects[0].groups[1]", "expected one of s, b, p");
+}
+
+TEST_CASE("Bad effects: what the group cannot have", "[check]") {
+  check_problem(effect("magnus", {{"coefficient", 1.0}}, {"p"}), "effects[0].groups", "magnus needs spin");
+  check_problem(effect("torque", {{"torque", Vector3d(1, 0, 0)}}, {"p", "s"}), "effects[0].groups", "particles");
+  check_problem(effect("force", {{"force", Vector3d(1, 0, 0)}, {"offset", Vector3d(1, 0, 0)}}, {"p"}),
+                "effects[0].offset", "expected an offset of zero");
+}
+
+TEST_CASE("Bad effects: rows for each body, windows and pivots", "[check]") {
+  const std::vector<Vector3d> three{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}};
+  check_problem(effect("spring", {{"anchor", three}, {"stiffness", 1.0}}, {"b"}), "effects[0].anchor",
+                "has 3 rows, expected one, or one for each of the 2 bodies of b");
+  check_problem(effect("spring", {{"anchor", std::vector<Vector3d>{}}, {"stiffness", 1.0}}, {"b"}), "effects[0].anchor",
+                "has 0 rows");
+  check_problem(
+      effect("spring", {{"anchor", std::vector<Vector3d>{{1, 1, 1}, {1, nan, 1}}}, {"stiffness", 1.0}}, {"b"}),
+      "effects[0].anchor[1]", "is nan");
+  for (const char* kind : {"force", "torque"}) {
+    check_problem(effect(kind, {{kind, Vector3d(1, 0, 0)}, {"at", 2.0}, {"until", 2.0}}, {"b"}), "effects[0].until",
+                  "is 2 s, expected a time after at = 2 s");
+  }
+  const Effect pivot = effect("pivot", {{"point", Vector3d(0, 0, 9)}}, {"b"});
+  const std::vector<Problem> twice = check(scene_of({bricks("b", 2)}, {pivot, pivot}));
+  REQUIRE(twice.size() == 1);
+  CHECK(twice[0].path == "effects[1].kind");
+  CHECK(contains(twice[0].message, "group b has a pivot already"));
+}
+
+TEST_CASE("Bad effects: a particle at its own pivot has no inertia about it", "[check]") {
+  BodyGroup group = particles("p", 2);
+  const std::vector<Problem> found = check(scene_of({group}, {effect("pivot", {{"point", group.position[1]}})}));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].path == "effects[0].point");
+}
+
+TEST_CASE("Bad options: each is named", "[check]") {
+  const Scene scene = scene_of({particles("p", 2)});
+  const auto refused = [&](const Options& options, const std::string& path, const std::string& words) {
+    const std::vector<Problem> found = problems_of(scene, options);
+    CAPTURE(path, words);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].path == path);
+    CHECK(contains(found[0].message, words));
+  };
+  refused({.threads = -1}, "threads", "is negative");
+  refused({.copies = 0}, "copies", "is 0, expected at least 1");
+  refused({.copies = -3}, "copies", "is -3");
+  refused({.perturb = nan}, "perturb", "is not finite");
+  refused({.target = "bas"}, "target", "unknown target \"bas\"; did you mean \"base\"?");
+  refused({.target = ""}, "target", "expected one of auto, base");
+  for (const ballpark::NamedDescription& target : ballpark::targets()) {
+    if (!target.available) refused({.target = target.name}, "target", "this machine cannot run");
+  }
+}
+
+TEST_CASE("Bad user effects: no function for the precision, a path or method that cannot have them, no such group",
+          "[check]") {
+  UserEffect user;
+  user.name = "wind";
+  user.run_double = [](const ballpark::BodyBlock<double>&) {};
+  Scene scene = scene_of({particles("p", 2)});
+  const auto first = [&](const Options& options) {
+    const std::vector<Problem> found = problems_of(scene, options, {user});
+    return found.size() == 1 ? found[0] : Problem{};
+  };
+  CHECK(first({}).path.empty());
+  CHECK(contains(first({.precision = Precision::single_}).message, "\"wind\" has no function for this precision"));
+  CHECK(contains(first({.precision = Precision::extended}).message, "has no function"));
+  CHECK(first({.path = Path::fused}).path == "path");
+  scene.run.integrator = "taylor2";
+  CHECK(first({}).path == "run.integrator");
+  CHECK(contains(first({}).message, "user effect \"wind\" cannot give"));
+  scene.run.integrator = "rk4";
+  user.groups = {"q"};
+  CHECK(contains(first({}).message, "unknown group \"q\""));
+}

@@ -1,0 +1,168 @@
+// What goes wrong in a run is said, and hurts nobody else.
+#include "tests/catch.h"
+#include "tests/determinism/body_bits.h"
+#include "tests/unit/world/made_scenes.h"
+
+using namespace made_scenes;
+using ballpark::Path;
+using ballpark::Precision;
+using ballpark::Status;
+using ballpark::World;
+
+namespace {
+
+/// Bodies 0 to 99 about a centre of attraction; body `doomed` falls straight into it, at its third step.
+Scene through_the_centre(std::size_t doomed, bool dooms) {
+  Scene scene = scene_of({particles("p", 100)}, {effect("central_gravity", {{"strength", 1e-300}})});
+  scene.run.integrator = "semi_implicit_euler";
+  if (dooms) {
+    scene.bodies[0].position[doomed] = {3 * scene.run.step, 0, 0};
+    scene.bodies[0].velocity[doomed] = {-1, 0, 0};
+  }
+  return scene;
+}
+
+Scene spring_scene(double stiffness, double step, const std::string& integrator) {
+  Scene scene =
+      scene_of({particles("p", 2)}, {effect("spring", {{"anchor", Vector3d(0, 0, 0)}, {"stiffness", stiffness}})});
+  scene.bodies[0].mass = {1};
+  scene.run.step = step;
+  scene.run.integrator = integrator;
+  return scene;
+}
+
+double limit_of(const std::string& integrator) {
+  for (const ballpark::IntegratorDescription& row : ballpark::integrators()) {
+    if (row.name == integrator) return row.imaginary_limit;
+  }
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("Status: the first body, step and time that are not finite are named; no other body changes", "[status]") {
+  for (const Path path : {Path::fused, Path::staged}) {
+    for (const std::size_t doomed : {0u, 41u, 99u}) {
+      World sick(through_the_centre(doomed, true), {.path = path});
+      World well(through_the_centre(doomed, false), {.path = path});
+      CAPTURE(doomed);
+      sick.step(3);
+      CHECK(sick.status().code == Status::Code::ok);
+      sick.step(7);
+      well.step(10);
+      CHECK(sick.status().code == Status::Code::non_finite);
+      CHECK(sick.status().body == doomed);
+      CHECK(sick.status().step == 4);
+      CHECK(sick.status().time == 4 * sick.time() / 10);
+      CHECK(sick.status().sentence == "body " + std::to_string(doomed) + " is no longer finite");
+      CHECK(sick.totals().non_finite_bodies == 1);
+      CHECK(std::isfinite(sick.totals().energy()));
+      for (std::size_t id = 0; id < 100; ++id) {
+        CHECK((body_bits::of(sick, id) == body_bits::of(well, id)) == (id != doomed));
+      }
+    }
+  }
+}
+
+TEST_CASE("Status: of several bodies the one of least id, whatever the rows", "[status]") {
+  BodyGroup turning = bricks("b", 3), still = particles("p", 3);  // particles have the first rows
+  turning.position[1] = still.position[0] = {0, 0, 0};
+  World world(scene_of({turning, still}, {effect("central_gravity", {{"strength", 1.0}})}), {.copies = 2});
+  world.step();
+  CHECK(world.status().code == Status::Code::non_finite);
+  CHECK(world.status().body == 1);
+  CHECK(world.status().step == 1);
+  CHECK(world.totals().non_finite_bodies == 4);
+}
+
+TEST_CASE("Status: large numbers whose sum overflows are still finite", "[status]") {
+  Scene scene = scene_of({particles("p", 1)});
+  scene.bodies[0].position = {{1.5e308, 1.5e308, 1.5e308}};
+  World world(scene);
+  world.step(2);
+  CHECK(world.status().code == Status::Code::ok);
+}
+
+TEST_CASE("Status: the hash of a state that is not finite is the same for all targets and paths", "[status]") {
+  const auto hash = [](const Options& options) {
+    World world(through_the_centre(41, true), options);
+    world.step(10);
+    return world.state_hash();
+  };
+  for (const Precision precision : {Precision::single_, Precision::double_}) {
+    const std::uint64_t expected = hash({.target = "base", .precision = precision});
+    for (const ballpark::NamedDescription& target : ballpark::targets()) {
+      if (!target.available) continue;
+      CHECK(hash({.target = target.name, .precision = precision}) == expected);
+      CHECK(hash({.target = target.name, .precision = precision, .path = Path::staged}) == expected);
+    }
+  }
+}
+
+TEST_CASE("Status: a step beyond the stability limit is reported with the limit", "[status]") {
+  const double omega = 2000;
+  for (const std::string integrator : {"rk4", "semi_implicit_euler", "velocity_verlet"}) {
+    const double limit = limit_of(integrator) / omega;
+    CAPTURE(integrator, limit);
+    CHECK(World(spring_scene(omega * omega, 0.99 * limit, integrator)).status().code == Status::Code::ok);
+    const World beyond(spring_scene(omega * omega, 1.01 * limit, integrator));
+    CHECK(beyond.status().code == Status::Code::stability);
+    CHECK(contains(beyond.status().sentence, "the stability limit of " + integrator + " on group p"));
+    char number[32];
+    std::snprintf(number, sizeof number, "exceeds %g s", limit);
+    CHECK(contains(beyond.status().sentence, number));
+  }
+}
+
+TEST_CASE("Status: single precision has the same limits as double", "[status]") {
+  for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
+    for (const double z : {0.05, 0.2, 1.0, 1.9, 2.1, 2.9}) {
+      Scene scene = spring_scene(100, z / 10, integrator.name);
+      scene.run.duration = 10 * scene.run.step;
+      CAPTURE(integrator.name, z);
+      const World wide(scene), narrow(scene, {.precision = Precision::single_});
+      CHECK(wide.status().code == narrow.status().code);
+    }
+  }
+}
+
+TEST_CASE("Status: growth at any step is reported when the run makes it matter", "[status]") {
+  Scene scene = spring_scene(100, 0.001, "euler");
+  scene.run.duration = 0.001;
+  CHECK(World(scene).status().code == Status::Code::ok);
+  scene.run.duration = 10;
+  const World grows(scene);
+  CHECK(grows.status().code == Status::Code::stability);
+  CHECK(contains(grows.status().sentence, "no step is stable for euler on group p"));
+}
+
+TEST_CASE("Status: the lightest body sets the limit, damping has one too", "[status]") {
+  Scene scene = spring_scene(100, 0.25, "velocity_verlet");
+  CHECK(World(scene).status().code == Status::Code::stability);
+  scene.run.step = 0.19;
+  CHECK(World(scene).status().code == Status::Code::ok);
+  scene.bodies[0].mass = {1, 0.5};
+  CHECK(World(scene).status().code == Status::Code::stability);
+  Scene drag = scene_of({particles("p", 1)}, {effect("linear_drag", {{"coefficient", 200.0}})});
+  drag.bodies[0].mass = {1};
+  drag.run.step = 0.0099;
+  drag.run.integrator = "midpoint";
+  CHECK(World(drag).status().code == Status::Code::ok);
+  drag.run.step = 0.0101;
+  CHECK(World(drag).status().code == Status::Code::stability);
+}
+
+TEST_CASE("Status: an accepted limit is still reported, and the run goes on", "[status]") {
+  Scene scene = spring_scene(100, 0.25, "velocity_verlet");
+  scene.run.accept = {"stability"};
+  World world(scene);
+  world.step(3);
+  CHECK(world.status().code == Status::Code::stability);
+  CHECK(world.steps() == 3);
+}
+
+TEST_CASE("Status: codes have names", "[status]") {
+  CHECK(std::string(name(Status::Code::ok)) == "ok");
+  CHECK(std::string(name(Status::Code::stability)) == "stability");
+  CHECK(std::string(name(Status::Code::non_finite)) == "non_finite");
+}

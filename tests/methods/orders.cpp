@@ -114,3 +114,63 @@ TEST_CASE("order with position and velocity in one force: damped oscillator", "[
                   }));
   }
 }
+
+TEST_CASE("order with forces across the velocity: Magnus lift", "[methods]") {
+  for (const IntegratorDescription& row : integrators()) {
+    BodyGroup group = ball();
+    group.velocity = {{1, 0, 0.5}};
+    group.angular_velocity = {{0, 0, -2}};
+    const Scene made = scene(std::move(group), {effect("magnus", 3)}, 4, 1, row.name);
+    const std::uint64_t n = row.order == 1 ? 64000 : row.order == 2 ? 2000 : 500;
+    has_its_order(row, refine(made, n, [](const World& world) {
+                    const Numbers x = position(world), v = velocity(world);
+                    return largest_difference({x[0], x[1], v[0], v[1]}, {-0.15092972700110397L, -0.095970165443833837L,
+                                                                         0.42417900733699698L, 0.90557836200662385L});
+                  }));
+  }
+}
+
+TEST_CASE("order with quadratic drag", "[methods]") {
+  const double angle = 35 * pi / 180;
+  for (const IntegratorDescription& row : integrators()) {
+    const Scene made = scene(particle(Vector3d::Zero(), {40 * std::cos(angle), 0, 40 * std::sin(angle)}),
+                             {gravity(), effect("quadratic_drag", 0.02)}, 3, 1, row.name);
+    has_its_order(row, refine(made, row.order == 4 ? 60 : 600, [](const World& world) {
+                    const Numbers x = position(world), v = velocity(world);
+                    return largest_difference({x[0], x[2], v[0], v[2]}, {52.1250704508110414L, 4.68004363794871736L,
+                                                                         10.1541529990439372L, -11.8648616108535336L});
+                  }));
+  }
+}
+
+TEST_CASE("order with every effect at once, on a rigid body that turns", "[methods]") {
+  const auto state = [](const World& world) {
+    Numbers all = position(world);
+    for (const char* name : {"velocity", "angular_momentum"}) {
+      for (const long double value : column(world, name)) all.push_back(value);
+    }
+    for (const long double value : orientation(world)) all.push_back(value);
+    return all;
+  };
+  BodyGroup group = rigid_body({0.2, 0.3, 0.4}, {1, 2, -1}, {0.6, 0, 0.8, 0});
+  group.position = {{1, 0.5, 0.25}};
+  group.velocity = {{0.5, -1, 2}};
+  Effect stretched = spring(4, 0.1), softened = attraction();
+  stretched.parameters["rest_length"] = 0.75;
+  softened.parameters["softening"] = 0.5;
+  const Effect push{"force", {}, {{"force", Vector3d(0.3, 0.1, 0)}, {"offset", Vector3d(0, 0.1, 0.2)}}};
+  const Effect twist{"torque", {}, {{"torque", Vector3d(0.1, -0.2, 0.3)}}};
+  const std::vector<Effect> effects = {
+      gravity(), stretched, softened, effect("linear_drag", 0.2), effect("quadratic_drag", 0.1), effect("magnus", 0.3),
+      push,      twist};
+  Scene finest = scene(group, effects, 2, 2.0 / 16384);
+  finest.run.precision = Precision::extended;
+  World reference(finest);
+  reference.step(16384);
+  const Numbers exact = state(reference);
+  for (const IntegratorDescription& row : integrators()) {
+    const std::uint64_t n = row.order == 1 ? 16000 : row.order == 2 ? 1000 : 200;
+    has_its_order(row, refine(scene(group, effects, 2, 1, row.name), n,
+                              [&](const World& world) { return largest_difference(state(world), exact); }));
+  }
+}

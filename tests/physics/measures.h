@@ -78,14 +78,16 @@ inline long double pendulum_rate(const World& world) {
 
 inline long double largest(const Numbers& values) {
   long double most = 0;
-  for (const long double value : values) most = std::max(most, std::abs(value));
+  for (const long double value : values) {
+    if (!(std::abs(value) <= most)) most = std::abs(value);  // a NaN stays
+  }
   return most;
 }
 inline long double largest_difference(const Numbers& a, const Numbers& b) {
   long double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const long double difference = std::abs(a[i] - b[i]);
-    if (!(difference <= most)) most = difference;  // a NaN stays
+    if (!(difference <= most)) most = difference;  // likewise
   }
   return most;
 }

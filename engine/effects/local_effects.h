@@ -1,5 +1,5 @@
 // The effects of this build. To add one: write its file beside the others, include it here and name it in the list.
-// Loads are summed in this order, whatever the order in the scene.
+// Loads are summed in this order, and those of one kind by their parameters, whatever the order in the scene.
 #pragma once
 
 #include "engine/effects/applied_force.h"

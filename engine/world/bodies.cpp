@@ -14,7 +14,10 @@ namespace {
 }
 
 void require_finite(const char* call, const char* what, const Vector3d& v) {
-  if (!v.allFinite()) refuse(call, std::string(what) + " is not finite, expected three numbers");
+  for (int c = 0; c < 3; ++c) {
+    if (std::isfinite(static_cast<Real>(v[c]))) continue;
+    refuse(call, std::string(what) + " is not finite in this precision, expected three numbers");
+  }
 }
 
 template <class V>
@@ -117,7 +120,7 @@ BodyState World::body(std::size_t id) const {
 
 void World::set(std::size_t id, const BodyState& state) {
   const auto [g, row] = known_place(id, "set");
-  const Group& group = groups_[g];
+  Group& group = groups_[g];
   require_finite("set", "position", state.position);
   require_finite("set", "velocity", state.velocity);
   require_finite("set", "angular_velocity", state.angular_velocity);
@@ -135,6 +138,8 @@ void World::set(std::size_t id, const BodyState& state) {
     const double values[4] = {orientation.w, orientation.x, orientation.y, orientation.z};
     for (int c = 0; c < 4; ++c) columns.orientation[c][row] = static_cast<Real>(values[c]);
   }
+  for (Real* carry : group.carry) carry[row] = 0;
+  if (state.has_angular_velocity) group.motion = group.carried;  // what stood still until now may turn
   if (group.spins()) write(columns.momentum, row, momentum_for(group, row, orientation, wide(spin)));
   if (group.motion == MotionKind::pivoted) return place_pivoted(group, row);
   write(columns.position, row, wide(state.position));
@@ -143,7 +148,8 @@ void World::set(std::size_t id, const BodyState& state) {
 
 /// A sudden change of momentum, and of angular momentum by its moment.
 void World::kick(const Place& place, const Vector3d& J, const Vector3d& offset) {
-  const Group& group = groups_[place.group];
+  Group& group = groups_[place.group];
+  if (offset != Vector3d::Zero()) group.motion = group.carried;
   const StateColumns& columns = group.kernel.state;
   const std::size_t row = place.row;
   const Body<Real> b = body_at(group, row);
@@ -187,12 +193,13 @@ void World::apply_load(const std::string& kind, std::size_t id, const Vector3d& 
   const Place place = known_place(id, call.c_str());
   require_finite(call.c_str(), kind.c_str(), load);
   if (!(at < until)) refuse(call, "until is not after at");
+  if (until <= time()) refuse(call, "until is over, expected a time from now on");
   Group& group = groups_[place.group];
   const auto index = static_cast<std::size_t>(local_effect_index(kind));
   const EffectInfo& info = local_effects()[index];
   if (kind == "torque") {
     if (!group.spins()) refuse(call, "group " + group.name + " carries no rotation");
-    group.motion = group.carried;  // a spin that was conserved so far now changes
+    group.motion = group.carried;  // from now on a torque changes its spin
   }
   std::map<std::string, Value> parameters{{kind, load}, {"at", at}, {"until", until}};
   for (const ParameterInfo& p : info.description.parameters) {

@@ -80,6 +80,13 @@ void Builder::check_options() {
     refuse("target", "this machine cannot run " + options_.target);
   }
   for (const UserEffect& user : world_.users_) {
+    for (const std::string& name : user.groups) {
+      std::vector<std::string> groups;
+      for (const BodyGroup& group : scene_.bodies) groups.push_back(group.name);
+      if (std::find(groups.begin(), groups.end(), name) == groups.end()) {
+        refuse("user effects", "unknown group \"" + name + "\" of \"" + user.name + "\"" + suggestion(name, groups));
+      }
+    }
     const bool callable = std::is_same_v<Real, float> ? bool(user.run_single) : bool(user.run_double);
     if (!callable || std::is_same_v<Real, long double>) {
       refuse("user effects", "\"" + user.name + "\" has no function for this precision");
@@ -173,6 +180,7 @@ void Builder::add_state_columns() {
   Column* orientation = add("orientation", "1", 4, "given by the scene, or inertia with three moments", turning);
   Column* momentum = add("angular_momentum", "kg m^2/s", 3, "spin given by the scene or used by an effect", spinning);
   for (Group& group : groups) {
+    if (group.live == 0) continue;
     StateColumns& state = group.kernel.state;
     for (int c = 0; c < 3; ++c) {
       state.position[c] = position.at(c, group.first_row);

@@ -39,12 +39,4 @@ class Builder {
   std::vector<Problem> problems_;
 };
 
-/// The largest step at which the group's stiffest response does not grow under the method [s]; infinity if none is
-/// stiff; 0 if it grows at every step. `growth` is its amplification per step of size h.
-struct StepLimit {
-  double largest = 0;
-  double growth = 1;
-};
-StepLimit step_limit(const Row& row, double h, double mass, const Stiffness& stiffness);
-
 }  // namespace ballpark::BALLPARK_PRECISION

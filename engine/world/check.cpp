@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "engine/core/nearest.h"
 #include "engine/world/interface.h"
@@ -22,7 +23,10 @@ std::string path_of(const std::string& path, std::size_t row, std::size_t rows) 
 }
 
 double Problems::rounded(double value) const {
-  return precision_ == Precision::single_ ? static_cast<double>(static_cast<float>(value)) : value;
+  const bool single = precision_ == Precision::single_;
+  const double smallest = single ? std::numeric_limits<float>::min() : std::numeric_limits<double>::min();
+  if (std::abs(value) < smallest) return 0;  // a step flushes denormals
+  return single ? static_cast<double>(static_cast<float>(value)) : value;
 }
 
 bool Problems::finite(const std::string& path, double value, const char* unit) {
@@ -63,8 +67,8 @@ bool Problems::known(const std::string& path, const char* what, const std::strin
 namespace {
 
 void check_run(const RunSettings& run, Problems& problems) {
-  problems.not_negative("run.duration", run.duration, "s");
-  if (problems.positive("run.step", run.step, "s") && run.duration / run.step > 1e15) {
+  const bool ends = problems.not_negative("run.duration", run.duration, "s");
+  if (problems.positive("run.step", run.step, "s") && ends && run.duration / run.step > 1e15) {
     problems.add("run.step", fmt::format("is {} s: a duration of {} s would need more than 1e15 steps", text(run.step),
                                          text(run.duration)));
   }

@@ -1,6 +1,7 @@
 // What a scene must satisfy, and its values once they do. Compiled once: precision is a value here.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ class Problems {
   bool finite(const std::string& path, const Vector3d& value, const char* unit);
   bool positive(const std::string& path, double value, const char* unit);
   bool not_negative(const std::string& path, double value, const char* unit);
+  /// Is it a number > 0 that the scene's precision holds?
+  bool holds(double value) const { return std::isfinite(rounded(value)) && rounded(value) > 0; }
   bool known(const std::string& path, const char* what, const std::string& word, const std::vector<std::string>& words);
   const std::vector<Problem>& all() const { return all_; }
 

@@ -99,7 +99,25 @@ struct GroupCheck {
     if (group.mass.empty() && group.density.empty()) {
       problems.add(path("mass"), "is missing, expected mass [kg], or density [kg/m^3] with a shape");
     }
+    check_derived();
     if (!group.density.empty() && group.shape.empty()) problems.add(path("density"), "needs a shape, expected mass");
+  }
+
+  /// Mass and inertia that follow from a radius must be in range as well.
+  void check_derived() {
+    const std::size_t rows = std::max({group.radius.size(), group.mass.size(), group.density.size()});
+    const bool complete = !group.radius.empty() && group.mass.empty() != group.density.empty();
+    for (std::size_t i = 0; complete && !group.shape.empty() && i < rows && i < bodies; ++i) {
+      const double given = group.mass.empty() ? row_or(group.density, i, 0.0) : row_or(group.mass, i, 0.0);
+      if (!problems.holds(given) || !problems.holds(row_or(group.radius, i, 0.0))) return;  // said already
+      const double mass = mass_of(group, i), moment = inertia_of(group, i).x();
+      if (problems.holds(mass) && problems.holds(moment) && problems.holds(1 / moment)) continue;
+      problems.add(
+          path(group.mass.empty() ? "density" : "radius"),
+          fmt::format("gives a mass of {:g} kg and a moment of inertia of {:g} kg m^2, beyond this precision's range",
+                      mass, moment));
+      return;
+    }
   }
 
   bool good_inertia(const std::string& at, const Vector3d& moments) {

@@ -128,11 +128,23 @@ struct EffectCheck {
     }
   }
 
+  /// A particle at its own pivot has no inertia about it.
+  void check_arm(const std::map<std::string, Value>& parameters, const BodyGroup& group) {
+    const auto& points = std::get<std::vector<Vector3d>>(parameters.at("point"));
+    for (std::size_t i = 0; i < group.position.size(); ++i) {
+      if (group.position[i] != points[points.size() == group.position.size() ? i : 0]) continue;
+      problems.add(path("point"),
+                   fmt::format("is where particle {} of group {} is, expected a point beside it", i, group.name));
+      return;
+    }
+  }
+
   void check_rotation(const EffectDescription& description, const std::map<std::string, Value>& parameters,
                       const BodyGroup& group) {
     const bool pivots = description.name == "pivot";
     if (pivots && pivot_of(scene, group) != &effect)
       problems.add(path("kind"), "group " + group.name + " has a pivot already");
+    if (pivots && !rotates(group)) check_arm(parameters, group);
     if (rotates(group) || pivots || pivot_of(scene, group)) return;
     const auto& reads = description.reads;
     if (std::find(reads.begin(), reads.end(), "spin") != reads.end()) {

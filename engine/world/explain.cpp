@@ -83,6 +83,7 @@ struct PassWriter {
     values = 0;
     for (const Column& column : columns.all()) {
       if (column.info.role != Role::constant || !column.covers(group.first_row)) continue;
+      if (column.info.name == "inverse_inertia" && group.motion == MotionKind::point) continue;
       names.push_back(column.info.name);
       values += column.info.components;
     }
@@ -102,10 +103,18 @@ struct PassWriter {
                : state_names(group.motion);
   }
 
+  /// Compensated summation reads and writes a carry for each value of the state.
+  double carried() const { return group.kernel.carry ? size : 0; }
+  std::vector<std::string> with_carry(std::vector<std::string> names) const {
+    if (group.kernel.carry) names.push_back("carry");
+    return names;
+  }
+
   void fused() {
     const double flops =
         method.phases * (motion.flops + effect_flops()) + 2.0 * size * (count.stages + count.weights) + size;
-    add("fused_step", state_names(group.motion), written(), motion.reads + motion.writes, flops, 1, reason);
+    add("fused_step", with_carry(state_names(group.motion)), with_carry(written()),
+        motion.reads + motion.writes + 2 * carried(), flops, 1, reason);
   }
 
   void staged() {
@@ -113,10 +122,11 @@ struct PassWriter {
     std::vector<std::string> sums;
     const double phases = method.phases;
     const bool moves = method.family == Family::splitting;
-    const double moved = moves ? motion.writes * (phases - 1) / phases : 0;  // kicks and drifts between phases
-    auto reads = state_names(group.motion);
+    const double between = (phases - 1) / phases;  // kicks and drifts between phases
+    const double moved = moves ? motion.writes * between + carried() * (1 + between) : 0;
+    auto reads = moves ? with_carry(state_names(group.motion)) : state_names(group.motion);
     if (count.stages > 0 || moves) reads.push_back("rates");
-    const double stage_terms = moves ? (phases - 1) / phases : count.stages / phases;
+    const double stage_terms = moves ? between : count.stages / phases;
     add("prepare", reads, trial, motion.reads + motion.writes + moved + size * stage_terms, 2 * size * stage_terms,
         method.phases, "trial state of each phase");
     if (!group.users.empty()) {
@@ -128,9 +138,10 @@ struct PassWriter {
     loads.insert(loads.end(), sums.begin(), sums.end());
     add("evaluate", loads, {"rates"}, motion.reads + size + 3.0 * static_cast<double>(sums.size()),
         motion.flops + effect_flops(), method.phases, "rates of each phase");
-    auto ends = state_names(group.motion);
+    auto ends = with_carry(state_names(group.motion));
     ends.push_back("rates");
-    add("finish", ends, written(), motion.reads + motion.writes + size * std::max(count.weights, 1),
+    add("finish", ends, with_carry(written()),
+        motion.reads + motion.writes + 2 * carried() + size * std::max(count.weights, 1),
         2.0 * size * count.weights + size, 1, "the state after the step");
   }
 };

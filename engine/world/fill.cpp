@@ -6,6 +6,35 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
+namespace {
+
+/// All numbers of an effect's parameters, by name: the order in which effects of one kind are summed.
+std::vector<double> numbers_of(const Effect& effect) {
+  std::vector<double> numbers;
+  for (const auto& [name, value] : complete_parameters(effect, *find_effect(effect.kind))) {
+    if (const auto* number = std::get_if<double>(&value)) numbers.push_back(*number);
+    if (const auto* vector = std::get_if<Vector3d>(&value))
+      numbers.insert(numbers.end(), vector->data(), vector->data() + 3);
+    if (const auto* rows = std::get_if<std::vector<Vector3d>>(&value)) {
+      for (const Vector3d& row : *rows) numbers.insert(numbers.end(), row.data(), row.data() + 3);
+    }
+  }
+  return numbers;
+}
+
+/// The effects on a group in an order that does not depend on the scene's.
+std::vector<Effect> sorted_effects(const Scene& scene, const BodyGroup& body) {
+  std::vector<Effect> effects;
+  for (const Effect& effect : scene.effects) {
+    if (acts_on(effect, body)) effects.push_back(effect);
+  }
+  std::stable_sort(effects.begin(), effects.end(),
+                   [](const Effect& a, const Effect& b) { return numbers_of(a) < numbers_of(b); });
+  return effects;
+}
+
+}  // namespace
+
 template <int n, class F>
 void Builder::constant(Group& group, const char* name, const char* unit, PerBody (&out)[n], const char* why,
                        F values_of_body) {
@@ -136,9 +165,9 @@ void Builder::add_effects(Group& group) {
     speed = std::max(speed, static_cast<double>(dot(v, v)));
   }
   Stiffness sum;
-  for (const Effect& effect : scene_.effects) {
+  for (const Effect& effect : sorted_effects(scene_, body)) {
     const int index = local_effect_index(effect.kind);
-    if (index < 0 || !acts_on(effect, body) || group.live == 0) continue;
+    if (index < 0 || group.live == 0) continue;
     const EffectInfo& info = local_effects()[static_cast<std::size_t>(index)];
     const auto parameters = complete_parameters(effect, info.description);
     const auto per_body = [&](const std::string& name, const std::vector<Vector3d>& rows) {

@@ -45,6 +45,17 @@ class WorldInterface {
   virtual int threads() const = 0;
 };
 
+/// The largest step at which an oscillation does not grow under a method [s]: infinity if nothing is stiff, 0 if it
+/// grows at every step. `growth`: its amplification by a step of size h.
+struct StepLimit {
+  double largest = 0;
+  double growth = 1;
+};
+namespace f64 {
+/// For x'' = -k x - c v; measured in double, whatever the world's precision.
+StepLimit step_limit(const std::string& integrator, double h, double k, double c);
+}  // namespace f64
+
 // Each precision of the engine offers these.
 #define BALLPARK_PRECISION_FACE(ns)                                                                  \
   namespace ns {                                                                                     \

@@ -19,8 +19,9 @@ template <class M, class V>
 BALLPARK_INLINE void load_state(const StepGroup& group, std::size_t row, State<M, V>& state) {
   M::load(group.state, row, state.y);
   state.compensated = group.carry != nullptr;
-  if (!state.compensated) return;
-  for (int i = 0; i < M::size; ++i) state.carry[i] = load<V>(group.carry[i] + row);
+  for (int i = 0; i < M::size; ++i) {
+    state.carry[i] = state.compensated ? load<V>(group.carry[i] + row) : V(Real(0));
+  }
 }
 
 template <class M, class V, class Constants>

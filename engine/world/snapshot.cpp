@@ -52,8 +52,23 @@ std::uint64_t World::state_hash() const {
   return sum;
 }
 
+/// Of what a snapshot must fit: the groups by name and size, what they carry, and the precision.
+std::uint64_t World::structure() const {
+  std::uint64_t sum = sizeof(Real);
+  for (const Group& group : groups_) {
+    sum = combine(sum, hash(group.name.data(), group.name.size()));
+    for (const std::size_t n :
+         {group.live, group.per_copy, group.scene_index, static_cast<std::size_t>(group.carried)}) {
+      sum = combine(sum, n);
+    }
+  }
+  return combine(sum, columns_.bytes());
+}
+
 Snapshot World::snapshot() const {
-  Snapshot copy{.time = time(), .counters = counters_, .status = status_, .columns = {}};
+  Snapshot copy{
+      .time = time(), .structure = structure(), .motions = {}, .counters = counters_, .status = status_, .columns = {}};
+  for (const Group& group : groups_) copy.motions.push_back(static_cast<int>(group.motion));
   for (const Column& column : columns_.all()) {
     if (column.info.role != Role::state) continue;
     for (int c = 0; c < column.info.components; ++c) {
@@ -66,7 +81,7 @@ Snapshot World::snapshot() const {
 
 void World::restore(const Snapshot& snapshot) {
   std::size_t count = 0;
-  bool fits = true;
+  bool fits = snapshot.structure == structure() && snapshot.motions.size() == groups_.size();
   const auto for_each_array = [&](auto act) {
     count = 0;
     for (Column& column : columns_.all()) {
@@ -83,6 +98,7 @@ void World::restore(const Snapshot& snapshot) {
   for_each_array([&](Column& column, int c) {
     std::memcpy(column.at(c, column.first_row), snapshot.columns[count].data(), snapshot.columns[count].size());
   });
+  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].motion = static_cast<MotionKind>(snapshot.motions[g]);
   counters_ = snapshot.counters;
   status_ = snapshot.status;
   const double now = time() - 1e-9 * step_;

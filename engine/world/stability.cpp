@@ -94,9 +94,9 @@ double boundary(F radius, double scale) {
 
 }  // namespace
 
-StepLimit step_limit(const Row& row, double h, double mass, const Stiffness& stiffness) {
-  const double k = stiffness.spring / mass, c = stiffness.damping / mass;
+StepLimit step_limit(const std::string& integrator, double h, double k, double c) {
   if (k == 0 && c == 0) return {std::numeric_limits<double>::infinity(), 1};
+  const Row& row = *find_row(integrator);
   const auto radius = [&](double step) { return spectral_radius(row, k * step * step, c * step); };
   return {boundary(radius, 1 / std::max(std::sqrt(k), c)), radius(h)};
 }
@@ -123,7 +123,8 @@ void Builder::check_stability(const Group& group, const Stiffness& stiffness) {
     lightest = std::min(lightest, mass_of(body, i));
   }
   const double h = world_.step_;
-  const StepLimit limit = step_limit(*world_.row_, h, lightest, stiffness);
+  const StepLimit limit =
+      f64::step_limit(world_.row_->name, h, stiffness.spring / lightest, stiffness.damping / lightest);
   const std::string group_and_method = world_.row_->name + std::string(" on group ") + group.name;
   if (limit.largest > 0 && h > limit.largest * (1 + 1e-6)) {
     world_.status_ = {Status::Code::stability, "a step of " + text(h) + " s exceeds " + text(limit.largest) +

@@ -102,6 +102,7 @@ class World : public WorldInterface {
   void add_event(const Event& event);
 
   // bodies.cpp
+  std::uint64_t structure() const;
   Place place_of(std::size_t id) const;
   Place known_place(std::size_t id, const char* call) const;
   void kick(const Place& place, const Vector3d& J, const Vector3d& offset);

@@ -26,8 +26,8 @@ enum class Precision { single_, double_, extended };
 
 /// Fills a group's rows at build. Deterministic: row i of copy k depends on (seed + k, group, i) alone.
 struct Generate {
-  std::string kind;                ///< "lattice": count rows, x fastest; "random": uniform in the box [lower, upper]
-  std::vector<std::size_t> count;  ///< lattice: [nx, ny, nz]; random: [n]
+  std::string kind = {};  ///< "lattice": count rows, x fastest; "random": uniform in the box [lower, upper]
+  std::vector<std::size_t> count = {};          ///< lattice: [nx, ny, nz]; random: [n]
   Vector3d origin = Vector3d::Zero();           ///< lattice: position of the first body [m]
   double spacing = 0;                           ///< lattice: distance between neighbours [m], > 0
   Vector3d lower = Vector3d::Zero();            ///< random: lowest corner [m]
@@ -39,19 +39,19 @@ struct Generate {
 
 /// Bodies of one kind. Each list has no row (default), one row (all bodies alike) or n rows; n is the longest list.
 struct BodyGroup {
-  std::string name;             ///< unique; how `--set` and effects address the group
-  std::string shape;            ///< "" for particles or bodies with a given inertia; "sphere"
-  std::vector<double> radius;   ///< [m], > 0; needed by a shape
-  std::vector<double> mass;     ///< [kg], > 0; or density
-  std::vector<double> density;  ///< [kg/m^3], > 0, with a shape
-  std::vector<Vector3d>
-      inertia;  ///< principal moments about the centre of mass [kg m^2]; each at most the sum of the others
-  std::vector<Vector3d> position;                ///< centre of mass, world frame [m]
-  std::vector<Vector3d> velocity;                ///< world frame [m/s]
-  std::vector<Vector3d> angular_velocity;        ///< [rad/s], in `angular_velocity_frame`
+  std::string name = {};             ///< unique; how `--set` and effects address the group
+  std::string shape = {};            ///< "" for particles or bodies with a given inertia; "sphere"
+  std::vector<double> radius = {};   ///< [m], > 0; needed by a shape
+  std::vector<double> mass = {};     ///< [kg], > 0; or density
+  std::vector<double> density = {};  ///< [kg/m^3], > 0, with a shape
+  std::vector<Vector3d> inertia =
+      {};  ///< principal moments about the centre of mass [kg m^2]; each at most the sum of the others
+  std::vector<Vector3d> position = {};           ///< centre of mass, world frame [m]
+  std::vector<Vector3d> velocity = {};           ///< world frame [m/s]
+  std::vector<Vector3d> angular_velocity = {};   ///< [rad/s], in `angular_velocity_frame`
   std::string angular_velocity_frame = "world";  ///< "world" or "body"
-  std::vector<Quaternion> orientation;           ///< unit to 1e-6 (then normalised); identity if none
-  std::optional<Generate> generate;              ///< positions and spreads, instead of a `position` list
+  std::vector<Quaternion> orientation = {};      ///< unit to 1e-6 (then normalised); identity if none
+  std::optional<Generate> generate = {};         ///< positions and spreads, instead of a `position` list
 };
 
 /// A parameter of an effect: a number, a vector, one vector per body, or a word.
@@ -59,9 +59,9 @@ using Value = std::variant<double, Vector3d, std::vector<Vector3d>, std::string>
 
 /// One effect on some groups. Kinds and their parameters: `effects()` in catalogue.h.
 struct Effect {
-  std::string kind;
-  std::vector<std::string> groups;          ///< names; all groups if empty
-  std::map<std::string, Value> parameters;  ///< what is left out takes the catalogue's default
+  std::string kind = {};
+  std::vector<std::string> groups = {};          ///< names; all groups if empty
+  std::map<std::string, Value> parameters = {};  ///< what is left out takes the catalogue's default
 };
 
 /// A sudden change of momentum of one body.
@@ -77,26 +77,26 @@ struct RunSettings {
   double step = 0;                       ///< [s], > 0
   std::string integrator = "rk4";        ///< a name of `integrators()`
   std::string rotation = "renormalise";  ///< orientation is normalised after each step
-  std::vector<std::string> accept;       ///< "stability": run although a stability limit is exceeded; still reported
+  std::vector<std::string> accept = {};  ///< "stability": run although a stability limit is exceeded; still reported
   bool compensated = false;  ///< compensated summation of the state: long runs lose less to rounding, for a column more
   Precision precision = Precision::double_;
   std::uint64_t seed = 1;
 };
 
 struct Scene {
-  std::string name;
-  std::string doc;
+  std::string name = {};
+  std::string doc = {};
   RunSettings run;
-  std::vector<BodyGroup> bodies;
-  std::vector<Effect> effects;
-  std::vector<Impulse> impulses;
+  std::vector<BodyGroup> bodies = {};
+  std::vector<Effect> effects = {};
+  std::vector<Impulse> impulses = {};
 };
 
 /// One thing wrong with a scene: `path` names the value ("bodies[0].mass", "run.step"), `message` says what it is,
 /// what was expected and the nearest valid choice.
 struct Problem {
-  std::string path;
-  std::string message;
+  std::string path = {};
+  std::string message = {};
 };
 
 /// Thrown by `World`'s constructor and by misuse of its calls, never out of a step. Holds every problem found.

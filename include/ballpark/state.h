@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,7 +31,9 @@ struct View {
 
 /// A state to return to: the columns, the time and the step count. Only for worlds of the same scene and options.
 struct Snapshot {
-  double time = 0;  ///< [s]
+  double time = 0;              ///< [s]
+  std::uint64_t structure = 0;  ///< of the world it is from: groups, copies, precision
+  std::vector<int> motions;     ///< how each group moves: a call may have set one turning
   Counters counters;
   Status status;
   std::vector<std::vector<std::byte>> columns;

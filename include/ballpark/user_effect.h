@@ -27,11 +27,11 @@ struct BodyBlock {
 /// throw. Build it with -ffp-contract=off (the ballpark::ballpark target sets it), else equal bits are not promised.
 struct UserEffect {
   std::string name;
-  std::vector<std::string> groups;  ///< all if empty
-  bool reads_velocity = true;       ///< false: splitting methods stay symplectic
-  bool needs_rotation = false;      ///< true: spheres carry spin for it
-  std::function<void(const BodyBlock<double>&)> run_double;
-  std::function<void(const BodyBlock<float>&)> run_single;
+  std::vector<std::string> groups = {};  ///< all if empty
+  bool reads_velocity = true;            ///< false: splitting methods stay symplectic
+  bool needs_rotation = false;           ///< true: spheres carry spin for it
+  std::function<void(const BodyBlock<double>&)> run_double = {};
+  std::function<void(const BodyBlock<float>&)> run_single = {};
 };
 
 }  // namespace ballpark

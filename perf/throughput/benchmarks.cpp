@@ -101,6 +101,7 @@ Comparison effect_prices(const Settings& settings) {
     const Scene base = falling_spheres(bodies);
     c.subjects.push_back(world_subject(c.base, base, on_threads(1)));
     for (const EffectDescription& description : effects()) {
+      if (description.name == "gravity") continue;
       Scene scene = base;
       scene.effects.push_back(sample_of(description));
       c.subjects.push_back(world_subject(description.name, scene, on_threads(1)));

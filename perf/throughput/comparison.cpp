@@ -32,8 +32,9 @@ std::optional<RatioResult> evaluate(const Ratio& ratio, const std::vector<Row>& 
   return result;
 }
 
-// The largest difference over the column's largest value; infinite if either is not a number.
+// The largest difference over the column's largest value; infinite if a value is not a number or has no counterpart.
 double column_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
   double difference = 0, scale = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (!std::isfinite(a[i]) || !std::isfinite(b[i])) return std::numeric_limits<double>::infinity();

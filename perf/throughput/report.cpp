@@ -137,7 +137,9 @@ std::string heading(const Machine& machine, const Settings& settings) {
   Text text;
   add(text, "{}, {} threads at once, L2 {} KiB, L3 {} KiB; {}; load {:.2f}\n", machine.processor, machine.threads,
       machine.level2_bytes / 1024, machine.level3_bytes / 1024, machine.compiler, machine.load);
-  add(text, "Threads are not pinned. Subjects run in turns, at least {:g} s and 9 rounds each comparison.\n",
+  add(text,
+      "Threads are not pinned. Subjects run in turns, at least {:g} s and 9 rounds each comparison.\n"
+      "Bars are judged on the minima, which other programs disturb least.\n",
       settings.seconds);
   return fmt::to_string(text);
 }

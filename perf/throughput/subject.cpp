@@ -63,14 +63,16 @@ void touch_all(const DragProblem&, double* x, double* y, double* z, double* vx, 
 }  // namespace
 
 std::size_t steps_per_run(std::size_t bodies) {
-  return std::max<std::size_t>(1, 1'000'000 / std::max<std::size_t>(bodies, 1));
+  return std::max<std::size_t>(1, 250'000 / std::max<std::size_t>(bodies, 1));
 }
 
 StateColumns state_of(const World& world) {
   StateColumns columns;
   for (const char* name : {"position", "velocity"}) {
-    for (const auto& component : world.view<double>(name).components) {
-      columns.emplace_back(component.begin(), component.end());
+    const View<double> view = world.view<double>(name);
+    for (const auto& component : view.components) {
+      std::vector<double>& column = columns.emplace_back(world.body_count());
+      for (std::size_t id = 0; id < column.size(); ++id) column[id] = component[world.row_of(id) - view.first_row];
     }
   }
   return columns;

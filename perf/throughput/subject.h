@@ -1,4 +1,4 @@
-// What is timed: each subject does the same number of body-steps in a run, and shows its state afterwards.
+// What is timed: subjects with as many bodies do as many steps in a run, and show their state afterwards.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace ballpark::perf {
 
-/// x, y, z, vx, vy, vz by row.
+/// x, y, z, vx, vy, vz, each by id.
 using StateColumns = std::vector<std::vector<double>>;
 
 struct Subject {
@@ -24,13 +24,13 @@ struct Subject {
   std::function<StateColumns()> state;  ///< empty if there is none to compare
 };
 
-/// `start` holds the same bodies as every scene of this problem.
+/// The problem and its bodies as bare columns, for subjects that are not a World.
 struct Start {
   DragProblem problem;
   StateColumns columns;
 };
 
-/// Steps of one run: as many as make a million body-steps, whatever the number of bodies.
+/// Steps of one run: as many as make a quarter of a million body-steps (some ms), at least one.
 std::size_t steps_per_run(std::size_t bodies);
 
 /// Positions and velocities of a world of double precision.

@@ -33,6 +33,7 @@ void add_summary(Page& text, const Explanation& explanation) {
 
 void add_groups(Page& text, const Explanation& explanation) {
   text.heading("Groups");
+  if (explanation.groups.empty()) text.paragraph("none");
   for (const GroupReport& group : explanation.groups) {
     text.line("  " + group.name, Style::strong);
     text.fields({{"  bodies", grouped(group.bodies)},
@@ -49,11 +50,13 @@ void add_columns(Page& text, const Explanation& explanation) {
     table.rows.push_back({column.name, column.group, column.role, column.unit, std::to_string(column.components),
                           number(column.bytes_per_body), column.why});
   }
+  if (table.rows.empty()) return text.paragraph("none");
   text.table(table);
 }
 
 void add_passes(Page& text, const Explanation& explanation) {
   text.heading("Passes, in the order of a step");
+  if (explanation.passes.empty()) text.paragraph("none");
   for (const PassReport& pass : explanation.passes) {
     text.line(fmt::format("  {} of {}", pass.name, pass.group), Style::strong);
     text.fields({{"  cost", fmt::format("{} a step; each moves {} B and computes {} flops per body",

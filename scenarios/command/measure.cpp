@@ -23,14 +23,15 @@ struct Runner {
   World world;
   Snapshot start;
   std::vector<double> seconds;
+  std::uint64_t completed = 0;  // repetitions of the last measurement
 
   Runner(const Scene& scene, Options options, int threads) : world((options.threads = threads, scene), options) {
     start = world.snapshot();
   }
-  /// Stepping alone is timed, not the way back to the start.
+  /// Stepping alone is timed, not the way back to the start. An interrupt ends it early.
   double timed(std::uint64_t steps, std::uint64_t repetitions = 1) {
     double total = 0;
-    for (std::uint64_t i = 0; i < repetitions && !command::interrupted(); ++i) {
+    for (completed = 0; completed < repetitions && !command::interrupted(); ++completed) {
       world.restore(start);
       const double begin = now();
       world.step(steps);
@@ -41,7 +42,7 @@ struct Runner {
 };
 
 std::uint64_t steps_of(const Scene& scene) {
-  return static_cast<std::uint64_t>(std::max(1.0, std::round(scene.run.duration / scene.run.step)));
+  return static_cast<std::uint64_t>(std::max(1.0, std::floor(scene.run.duration / scene.run.step + 1e-9)));
 }
 
 /// Wall time of a step: more steps until the clock sees them well. Warms the world up too.
@@ -71,12 +72,11 @@ void plan(ProfileFigures& figures, Runner& runner, const Scene& scene, const Pro
 
 void measure_passes(ProfileFigures& figures, Runner& runner) {
   runner.world.profile(true);
-  const std::uint64_t repetitions = figures.repetitions * round_count;
-  figures.wall_seconds = runner.timed(figures.steps, repetitions);
+  figures.wall_seconds = runner.timed(figures.steps, figures.repetitions * round_count);
   const std::vector<PassTime> times = runner.world.pass_times();
   runner.world.profile(false);
   figures.status = runner.world.status();
-  const double body_steps = static_cast<double>(figures.bodies) * static_cast<double>(figures.steps * repetitions);
+  const double body_steps = static_cast<double>(figures.bodies) * static_cast<double>(figures.steps * runner.completed);
   figures.outside_passes = figures.wall_seconds;
   for (const PassTime& time : times) {
     const double per_second = ratio(time.bytes, time.seconds);

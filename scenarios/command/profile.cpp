@@ -73,7 +73,7 @@ void add_threads(Page& text, const ProfileFigures& figures) {
                {"ns", right},
                {"speed-up", right},
                {"triad GB/s", right},
-               {"triad speed-up", right}},
+               {"triad gain", right}},
               {}};
   for (const ThreadFigure& figure : figures.threads) {
     table.rows.push_back({std::to_string(figure.threads), Cell(rate(figure.best_rate), Style::strong),

@@ -42,8 +42,9 @@ class CommandTest(unittest.TestCase):
         return str(path)
 
     def call(self, *words, expect=0, **environment):
+        inherited = {key: value for key, value in os.environ.items() if key != "BALLPARK_SCENARIOS"}
         result = subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True,
-                                env={**os.environ, "NO_COLOR": "1", **environment}, timeout=600)
+                                env={**inherited, "NO_COLOR": "1", **environment}, timeout=600)
         self.assertEqual(result.returncode, expect, f"{words}\n{result.stdout}\n{result.stderr}")
         return result
 

@@ -93,7 +93,7 @@ class Streams(CommandTest):
             self.assertIsNone(archive.testzip())
         self.assertEqual(len(os.listdir(self.folder)), 3)
 
-    def test_a_second_interrupt_leaves_no_files(self):
+    def test_a_killed_run_leaves_no_spools(self):
         process = self.long_run("--every", "1e6", "--out", "series.npz")
         time.sleep(0.5)
         process.kill()

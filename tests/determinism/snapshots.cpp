@@ -22,6 +22,11 @@ Scene eventful() {
   for (const double at : {0.0, 2.0, 5.3, 5.3, 5.6, 10.0, 10.5, 17.0, 19.99}) {
     scene.impulses.push_back({.at = at * h, .id = 7, .J = {1, 0.1, 0.2}, .offset = {0, 0.1, 0}});
   }
+  // A ball whose spin nothing reads, struck off its centre, and one that does not even spin.
+  scene.bodies.push_back(balls("still", 2));
+  scene.bodies.back().orientation = {{0.6, 0, 0.8, 0}};
+  scene.impulses.push_back({.at = 4 * h, .id = 3, .J = {1, 0.1, 0.2}, .offset = {0, 0.1, 0}});
+  scene.impulses.push_back({.at = 7.5 * h, .id = 11, .J = {1, 0.1, 0.2}, .offset = {0, 0.1, 0}});
   return scene;
 }
 
@@ -92,6 +97,25 @@ TEST_CASE("Snapshots: forces and impulses asked for during the run come again", 
   world.step(3);
   CHECK(world.state_hash() == hash);
   CHECK(hashes(world, 20) == tail);
+}
+
+TEST_CASE("Snapshots: a body struck by hand goes on turning, in this world and in a new one", "[bits]") {
+  BodyGroup turned = balls("s", 2);
+  turned.orientation = {{0.6, 0, 0.8, 0}};
+  const Scene scene = scene_of({turned});
+  World world(scene), fresh(scene);
+  const Snapshot start = world.snapshot();
+  const std::uint64_t first = world.state_hash();
+  world.apply_impulse(1, {0, 1, 0}, {0.1, 0, 0});
+  world.step(3);
+  const Snapshot later = world.snapshot();
+  const std::vector<std::uint64_t> tail = hashes(world, 5);
+  const double turned_to = world.body(1).orientation.w;
+  fresh.restore(later);
+  CHECK(hashes(fresh, 5) == tail);
+  CHECK(fresh.body(1).orientation.w == turned_to);
+  world.restore(start);
+  CHECK(world.state_hash() == first);
 }
 
 TEST_CASE("Snapshots: status and counters come back", "[bits]") {

@@ -62,7 +62,7 @@ TEST_CASE("Unrelated: constants as a column or as one value", "[bits]") {
   CHECK((body_bits::of(one, 8) != body_bits::of(column, 8)));
 }
 
-TEST_CASE("Unrelated: the order in which effects are listed", "[bits]") {
+TEST_CASE("Unrelated: the order in which effects of different kinds are listed", "[bits]") {
   std::vector<Effect> effects = plain_effects();
   effects.push_back(effect("quadratic_drag", {{"coefficient", 0.1}}));
   effects.push_back(effect("magnus", {{"coefficient", 0.1}}));

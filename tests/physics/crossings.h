@@ -23,9 +23,11 @@ inline World after_one_step(const Scene& scene, const BodyState& state, double s
   return world;
 }
 
-/// Of the scene's first body; fails the test if nothing crosses within the scene's duration.
-inline Crossing first_fall_through_zero(const Scene& scene, const std::function<double(const World&)>& quantity) {
+/// Of the scene's first body, after the time `from`; fails the test if nothing crosses within the scene's duration.
+inline Crossing first_fall_through_zero(const Scene& scene, const std::function<double(const World&)>& quantity,
+                                        double from = 0) {
   World world(scene);
+  world.advance_to(from);
   BodyState before = world.body(0);
   double value = quantity(world), last = value;
   do {

@@ -52,12 +52,13 @@ TEST_CASE("single precision meets 1e-4 on every reference problem, 1e-5 with com
 
 TEST_CASE("extended precision runs the reference problems to the same ends as double", "[physics]") {
   for (const ReferenceProblem& problem : reference_problems()) {
-    const Outcome outcome = run_in(problem, Precision::extended);
+    if (problem.name == "P-R2") continue;  // below
     INFO(problem.name);
+    const Outcome outcome = run_in(problem, Precision::extended);
     CHECK(largest(outcome.errors) < problem.tolerance);
     const long double difference = apart(outcome, run(problem));
     CHECK(difference > 0);
-    CHECK(difference < (problem.name == "P-R2" ? 2e-8L : 1e-12L));
+    CHECK(difference < 1e-12L);
   }
 }
 
@@ -74,6 +75,7 @@ TEST_CASE("extended precision is a thousand times better than double where round
 
 TEST_CASE("P-R2 is limited by rounding: compensated sums come nearer to extended precision", "[physics]") {
   ReferenceProblem problem = p_r2_tennis_racket();
+  problem.scene.run.step = 1e-4;
   problem.scene.run.compensated = false;
   const Outcome reference = run_in(problem, Precision::extended);
   const long double plain = apart(reference, run(problem));

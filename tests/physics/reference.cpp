@@ -3,8 +3,6 @@
 #include "tests/physics/problems.h"
 
 using namespace ballpark::tests;
-using ballpark::Precision;
-using ballpark::Status;
 
 namespace {
 
@@ -20,12 +18,6 @@ void holds(const ReferenceProblem& problem) {
     CHECK(coarse.errors[i] <= problem.tolerance);
     CHECK(largest_difference(coarse.end[i], fine.end[i]) / coarse.scale[i] < problem.tolerance);
   }
-}
-
-long double worst(ReferenceProblem problem, Precision precision, double step) {
-  problem.scene.run.precision = precision;
-  problem.scene.run.step = step;
-  return largest(run(problem).errors);
 }
 
 }  // namespace

@@ -46,8 +46,10 @@ TEST_CASE("what is no longer finite is reported with its body, step and time", "
   made.bodies[0].position = {{0, 0, 0}, {1, 0, 0}};
   made.run.accept = {"stability"};
   World world(made);
+  CHECK(world.status().code == Status::Code::stability);
   world.step(1000);
-  CHECK(world.status().code == Status::Code::stability);  // the first thing that went wrong is kept
+  CHECK(world.status().code == Status::Code::non_finite);  // accepting the limit must not hide it
+  CHECK(world.status().body == 1);
 
   Scene pushed = scene(particle(Vector3d::Zero()), {}, 1, 0.125);
   pushed.bodies[0].position = {{0, 0, 0}, {1, 0, 0}};

@@ -19,7 +19,7 @@ Scene busy() {
                {effect("gravity"), effect("pivot", {{"point", Vector3d(0, 0, 9)}}, {"pivoted"}),
                 effect("magnus", {{"coefficient", 0.1}}, {"s"}),
                 effect("force", {{"force", Vector3d(1, 2, 3)}, {"at", 30.5 * h}, {"until", 60.5 * h}})});
-  scene.impulses = {{.at = 40.5 * h, .id = 17, .J = {1, 2, 3}, .offset = {}}};
+  scene.impulses = {{.at = 40.5 * h, .id = 17, .J = {1, 2, 3}}};
   return scene;
 }
 
@@ -60,10 +60,8 @@ TEST_CASE("Allocation: none in 100 steps, on both paths, with one thread and wit
 }
 
 TEST_CASE("Allocation: none in a user effect's passes either", "[allocation]") {
-  UserEffect wind;
-  wind.name = "wind";
-  wind.run_double = [](const ballpark::BodyBlock<double>& block) {
+  const UserEffect wind = user_effect("wind", [](const ballpark::BodyBlock<double>& block) {
     for (std::size_t i = 0; i < block.count; ++i) block.force[0][i] += 0.1;
-  };
+  });
   for (const int threads : {1, 2}) CHECK(allocations_of_100_steps(busy(), {.threads = threads}, {wind}) == 0);
 }

@@ -12,7 +12,7 @@ using ballpark::Precision;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// The one problem of a scene of two balls, two bricks and two particles under the effect.
 Problem problem_of(const Effect& made) {
@@ -58,7 +58,7 @@ TEST_CASE("Bad effects: every parameter of every effect is required, typed and f
       made.parameters[parameter.name] = wrong_type(parameter.kind);
       check_problem(made, path, "[" + parameter.unit + "]");
       const bool number = parameter.kind == ParameterKind::number;
-      made.parameters[parameter.name] = number ? Value(nan) : Value(Vector3d(0, nan, 0));
+      made.parameters[parameter.name] = number ? Value(not_a_number) : Value(Vector3d(0, not_a_number, 0));
       check_problem(made, path, "is nan");
       if (std::isinf(parameter.minimum)) continue;
       made.parameters[parameter.name] = parameter.minimum - 1;
@@ -89,7 +89,7 @@ TEST_CASE("Bad effects: rows for each body, windows and pivots", "[check]") {
   check_problem(effect("spring", {{"anchor", std::vector<Vector3d>{}}, {"stiffness", 1.0}}, {"b"}), "effects[0].anchor",
                 "has 0 rows");
   check_problem(
-      effect("spring", {{"anchor", std::vector<Vector3d>{{1, 1, 1}, {1, nan, 1}}}, {"stiffness", 1.0}}, {"b"}),
+      effect("spring", {{"anchor", std::vector<Vector3d>{{1, 1, 1}, {1, not_a_number, 1}}}, {"stiffness", 1.0}}, {"b"}),
       "effects[0].anchor[1]", "is nan");
   for (const char* kind : {"force", "torque"}) {
     check_problem(effect(kind, {{kind, Vector3d(1, 0, 0)}, {"at", 2.0}, {"until", 2.0}}, {"b"}), "effects[0].until",
@@ -121,7 +121,7 @@ TEST_CASE("Bad options: each is named", "[check]") {
   refused({.threads = -1}, "threads", "is negative");
   refused({.copies = 0}, "copies", "is 0, expected at least 1");
   refused({.copies = -3}, "copies", "is -3");
-  refused({.perturb = nan}, "perturb", "is not finite");
+  refused({.perturb = not_a_number}, "perturb", "is not finite");
   refused({.target = "bas"}, "target", "unknown target \"bas\"; did you mean \"base\"?");
   refused({.target = ""}, "target", "expected one of auto, base");
   for (const ballpark::NamedDescription& target : ballpark::targets()) {
@@ -131,9 +131,7 @@ TEST_CASE("Bad options: each is named", "[check]") {
 
 TEST_CASE("Bad user effects: no function for the precision, a path or method that cannot have them, no such group",
           "[check]") {
-  UserEffect user;
-  user.name = "wind";
-  user.run_double = [](const ballpark::BodyBlock<double>&) {};
+  UserEffect user = user_effect("wind", [](const ballpark::BodyBlock<double>&) {});
   Scene scene = scene_of({particles("p", 2)});
   const auto first = [&](const Options& options) {
     const std::vector<Problem> found = problems_of(scene, options, {user});

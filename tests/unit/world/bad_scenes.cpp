@@ -10,7 +10,7 @@ using ballpark::Precision;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 struct Case {
@@ -52,11 +52,11 @@ Scene generated() {
 TEST_CASE("Bad scenes: run settings", "[check]") {
   check_cases(ball_scene(),
               {{"run.duration", "is -1, expected a finite number >= 0 [s]", [](Scene& s) { s.run.duration = -1; }},
-               {"run.duration", "is nan", [](Scene& s) { s.run.duration = nan; }},
+               {"run.duration", "is nan", [](Scene& s) { s.run.duration = not_a_number; }},
                {"run.duration", "is inf", [](Scene& s) { s.run.duration = inf; }},
                {"run.step", "is 0, expected a finite number > 0 [s]", [](Scene& s) { s.run.step = 0; }},
                {"run.step", "is -0.1", [](Scene& s) { s.run.step = -0.1; }},
-               {"run.step", "is nan", [](Scene& s) { s.run.step = nan; }},
+               {"run.step", "is nan", [](Scene& s) { s.run.step = not_a_number; }},
                {"run.step", "more than 1e15 steps", [](Scene& s) { s.run.step = 1e-300; }},
                {"run.integrator", "unknown integrator \"rk5\"; did you mean \"rk4\"?",
                 [](Scene& s) { s.run.integrator = "rk5"; }},
@@ -70,7 +70,7 @@ TEST_CASE("Bad scenes: what bodies are", "[check]") {
       ball_scene(),
       {{"bodies[0].mass", "is -1, expected a finite number > 0 [kg]", [](Scene& s) { s.bodies[0].mass = {-1}; }},
        {"bodies[0].mass", "is 0,", [](Scene& s) { s.bodies[0].mass = {0}; }},
-       {"bodies[1].mass", "is nan", [](Scene& s) { s.bodies[1].mass = {nan}; }},
+       {"bodies[1].mass", "is nan", [](Scene& s) { s.bodies[1].mass = {not_a_number}; }},
        {"bodies[1].mass[2]", "is inf",
         [](Scene& s) {
           s.bodies[1].mass = {1, 2, inf};
@@ -100,7 +100,7 @@ TEST_CASE("Bad scenes: what bodies are", "[check]") {
         }},
        {"bodies[1].inertia[1]", "is nan",
         [](Scene& s) {
-          s.bodies[1].inertia = {{1, 1, 1}, {1, 1, nan}, {1, 1, 1}};
+          s.bodies[1].inertia = {{1, 1, 1}, {1, 1, not_a_number}, {1, 1, 1}};
         }},
        {"bodies[1].name", "\"a\" is the name of an earlier group", [](Scene& s) { s.bodies[1].name = "a"; }}});
 }
@@ -109,12 +109,13 @@ TEST_CASE("Bad scenes: where bodies are and how they move", "[check]") {
   check_cases(
       ball_scene(),
       {{"bodies[0].position[1]", "is nan, expected a finite number [m]",
-        [](Scene& s) { s.bodies[0].position[1].y() = nan; }},
+        [](Scene& s) { s.bodies[0].position[1].y() = not_a_number; }},
        {"bodies[0].position", "is missing, though other lists have 2 rows",
         [](Scene& s) { s.bodies[0].position.clear(); }},
        {"bodies[1].velocity[0]", "is -inf", [](Scene& s) { s.bodies[1].velocity[0].z() = -inf; }},
        {"bodies[1].velocity", "has 2 rows", [](Scene& s) { s.bodies[1].velocity.pop_back(); }},
-       {"bodies[0].angular_velocity[1]", "is nan", [](Scene& s) { s.bodies[0].angular_velocity[1].x() = nan; }},
+       {"bodies[0].angular_velocity[1]", "is nan",
+        [](Scene& s) { s.bodies[0].angular_velocity[1].x() = not_a_number; }},
        {"bodies[0].angular_velocity_frame", "\"body\"?", [](Scene& s) { s.bodies[0].angular_velocity_frame = "bdy"; }},
        {"bodies[0].orientation", "has length 2, expected a unit quaternion",
         [](Scene& s) {
@@ -122,7 +123,7 @@ TEST_CASE("Bad scenes: where bodies are and how they move", "[check]") {
         }},
        {"bodies[0].orientation[1]", "has length nan",
         [](Scene& s) {
-          s.bodies[0].orientation = {{}, {nan, 0, 0, 0}};
+          s.bodies[0].orientation = {{}, {not_a_number, 0, 0, 0}};
         }},
        {"bodies[0].orientation", "has length 0",
         [](Scene& s) {
@@ -138,7 +139,7 @@ TEST_CASE("Bad scenes: generators", "[check]") {
        {"bodies[0].generate.count", "expected three numbers", [](Scene& s) { s.bodies[0].generate->count = {3}; }},
        {"bodies[0].generate.count", "expected one number", [](Scene& s) { s.bodies[0].generate->kind = "random"; }},
        {"bodies[0].generate.spacing", "is 0,", [](Scene& s) { s.bodies[0].generate->spacing = 0; }},
-       {"bodies[0].generate.origin", "is nan", [](Scene& s) { s.bodies[0].generate->origin.x() = nan; }},
+       {"bodies[0].generate.origin", "is nan", [](Scene& s) { s.bodies[0].generate->origin.x() = not_a_number; }},
        {"bodies[0].generate.upper", "below lower",
         [](Scene& s) {
           s.bodies[0].generate = Generate{.kind = "random", .count = {1}, .lower = {0, 0, 1}};
@@ -163,9 +164,9 @@ TEST_CASE("Bad scenes: impulses", "[check]") {
   good.impulses = {{.at = 0.5, .id = 2, .J = {1, 0, 0}, .offset = {0, 0.1, 0}}};
   check_cases(
       good, {{"impulse[0].at", "is -1", [](Scene& s) { s.impulses[0].at = -1; }},
-             {"impulse[0].at", "is nan", [](Scene& s) { s.impulses[0].at = nan; }},
+             {"impulse[0].at", "is nan", [](Scene& s) { s.impulses[0].at = not_a_number; }},
              {"impulse[0].J", "is inf", [](Scene& s) { s.impulses[0].J.y() = inf; }},
-             {"impulse[0].offset", "is nan", [](Scene& s) { s.impulses[0].offset.z() = nan; }},
+             {"impulse[0].offset", "is nan", [](Scene& s) { s.impulses[0].offset.z() = not_a_number; }},
              {"impulse[0].offset", "body 1 is a particle", [](Scene& s) { s.impulses[0].id = 1; }},
              {"impulse[0].id", "is 4, expected the id of one of the 4 bodies", [](Scene& s) { s.impulses[0].id = 4; }},
              {"impulse[1].id", "is 9", [](Scene& s) { s.impulses.push_back({.id = 9}); }}});

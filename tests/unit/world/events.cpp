@@ -42,7 +42,7 @@ TEST_CASE("Events: an impulse within a step acts at its very time", "[events]") 
   for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
     Scene scene = still();
     scene.run.integrator = integrator.name;
-    scene.impulses = {{.at = 10.25 * h, .id = 0, .J = {1, 0, 0}, .offset = {}}};
+    scene.impulses = {{.at = 10.25 * h, .id = 0, .J = {1, 0, 0}}};
     World world(scene);
     world.step(10);
     CHECK(world.body(0).velocity.x() == 0);
@@ -165,7 +165,7 @@ TEST_CASE("Events: set changes one body, and what is not given stays", "[events]
 
 TEST_CASE("Events: in copies, an impulse of the scene strikes each", "[events]") {
   Scene scene = still();
-  scene.impulses = {{.at = 2.5 * h, .id = 0, .J = {1, 0, 0}, .offset = {}}};
+  scene.impulses = {{.at = 2.5 * h, .id = 0, .J = {1, 0, 0}}};
   World world(scene, {.copies = 3});
   world.apply_impulse_at(2.5 * h, 1, {0, 1, 0});
   world.step(5);

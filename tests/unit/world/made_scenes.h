@@ -75,6 +75,15 @@ inline Effect sample(const ballpark::EffectDescription& description) {
   return made;
 }
 
+/// A user's force in double, on all groups.
+template <class Run>
+UserEffect user_effect(const std::string& name, Run run) {
+  UserEffect made;
+  made.name = name;
+  made.run_double = run;
+  return made;
+}
+
 inline Scene scene_of(std::vector<BodyGroup> bodies, std::vector<Effect> effects = {}) {
   Scene scene;
   scene.name = "made";

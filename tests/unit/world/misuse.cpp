@@ -11,9 +11,9 @@ using ballpark::World;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
-const Vector3d one(1, 1, 1), zero(0, 0, 0), bad(0, nan, 0), endless(0, 0, inf);
+const Vector3d one(1, 1, 1), bad(0, not_a_number, 0), endless(0, 0, inf);
 
 /// Bodies 0, 1: particles; 2, 3: balls that spin; 4, 5: bricks.
 Scene mixed() {
@@ -92,13 +92,13 @@ TEST_CASE("Misuse: times that are over, not numbers, or the wrong way round", "[
   World world(mixed());
   world.step(10);
   const double now = world.time();
-  for (const double at : {now / 2, -1.0, nan, inf, -inf}) {
+  for (const double at : {now / 2, -1.0, not_a_number, inf, -inf}) {
     CAPTURE(at);
     check_refused(world, "apply_impulse_at", "expected a time from now on",
                   [&] { world.apply_impulse_at(at, 0, one); });
   }
   for (const auto& [at, until] :
-       {std::pair(nan, 1.0), {now, nan}, {now + 1, now + 1}, {now + 2, now + 1}, {inf, inf}}) {
+       {std::pair(not_a_number, 1.0), {now, not_a_number}, {now + 1, now + 1}, {now + 2, now + 1}, {inf, inf}}) {
     CAPTURE(at, until);
     check_refused(world, "apply_force", "until", [&] { world.apply_force(0, one, at, until); });
     check_refused(world, "apply_torque", "until", [&] { world.apply_torque(2, one, at, until); });
@@ -122,8 +122,8 @@ TEST_CASE("Misuse: what the group does not carry", "[misuse]") {
 
 TEST_CASE("Misuse: an orientation that is not a unit quaternion", "[misuse]") {
   World world(mixed());
-  for (const BodyState& state :
-       {turned(0, 0, 0, 0), turned(1, 1, 0, 0), turned(1.001, 0, 0, 0), turned(nan, 0, 0, 0), turned(inf, 0, 0, 0)}) {
+  for (const BodyState& state : {turned(0, 0, 0, 0), turned(1, 1, 0, 0), turned(1.001, 0, 0, 0),
+                                 turned(not_a_number, 0, 0, 0), turned(inf, 0, 0, 0)}) {
     check_refused(world, "set", "not a unit quaternion", [&] { world.set(4, state); });
   }
   CHECK(refusal([&] { world.set(4, turned(0.6, 0, -0.8, 0)); }).path.empty());
@@ -154,7 +154,7 @@ TEST_CASE("Misuse: zero steps, and times already past, do nothing", "[misuse]") 
   world.step(5);
   const std::uint64_t hash = world.state_hash();
   world.step(0);
-  for (const double t : {-1.0, 0.0, world.time(), nan, -inf}) world.advance_to(t);
+  for (const double t : {-1.0, 0.0, world.time(), not_a_number, -inf}) world.advance_to(t);
   CHECK(world.state_hash() == hash);
   CHECK(world.steps() == 5);
 }

@@ -26,10 +26,16 @@ void weight(const BodyBlock<Real>& block) {
 }
 
 UserEffect drag_effect(std::vector<std::string> groups = {}) {
-  return {.name = "drag", .groups = std::move(groups), .run_double = drag<double>, .run_single = drag<float>};
+  UserEffect made = user_effect("drag", drag<double>);
+  made.run_single = drag<float>;
+  made.groups = std::move(groups);
+  return made;
 }
 UserEffect weight_effect() {
-  return {.name = "weight", .reads_velocity = false, .run_double = weight<double>, .run_single = weight<float>};
+  UserEffect made = user_effect("weight", weight<double>);
+  made.run_single = weight<float>;
+  made.reads_velocity = false;
+  return made;
 }
 
 /// Turns bodies against their spin, and counts what it was given.
@@ -88,7 +94,7 @@ TEST_CASE("User effects: same bits for any number of threads and target, in both
 
 TEST_CASE("User effects: one that adds nothing changes no bit", "[user]") {
   const Scene scene = scene_of({particles("p", 9), bricks("b", 5)}, {effect("gravity")});
-  World plain(scene), watched(scene, {}, {{.name = "none", .run_double = [](const BodyBlock<double>&) {}}});
+  World plain(scene), watched(scene, {}, {user_effect("none", [](const BodyBlock<double>&) {})});
   plain.step(20);
   watched.step(20);
   CHECK(plain.state_hash() == watched.state_hash());
@@ -108,7 +114,9 @@ TEST_CASE("User effects: are given each group's columns, and torques turn bodies
   const auto run = [brake](const BodyBlock<double>& block) { (*brake)(block); };
   Scene scene = scene_of({particles("p", 9), balls("s", 5), bricks("b", 3)});
   scene.run.integrator = "euler";
-  World world(scene, {}, {{.name = "brake", .needs_rotation = true, .run_double = run}});
+  UserEffect effect = user_effect("brake", run);
+  effect.needs_rotation = true;
+  World world(scene, {}, {effect});
   const Vector3d spin = world.body(14).angular_velocity;
   world.step(2);
   CHECK(brake->bodies == 2 * 17);
@@ -123,9 +131,8 @@ TEST_CASE("User effects: the time is that of the evaluation", "[user]") {
   Scene scene = scene_of({particles("p", 1)});
   scene.run.integrator = "rk4";
   const double h = scene.run.step;
-  World world(
-      scene, {.threads = 1},
-      {{.name = "clock", .run_double = [times](const BodyBlock<double>& block) { times->push_back(block.time); }}});
+  const auto clock = [times](const BodyBlock<double>& block) { times->push_back(block.time); };
+  World world(scene, {.threads = 1}, {user_effect("clock", clock)});
   world.step(2);
   CHECK(*times == std::vector<double>{0, h / 2, h / 2, h, h, 1.5 * h, 1.5 * h, 2 * h});
 }

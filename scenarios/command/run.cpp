@@ -146,9 +146,9 @@ Exit run(const Arguments& arguments) {
   const Options options = run_options(arguments);
   scenes::SceneFile file = load_scene(arguments);
   check_memory(file.scene, options);
+  watch_for_interrupt();  // from here on there are files to tidy up
   RunFiles files(file, arguments);
   Delivery delivery(arguments);
-  watch_for_interrupt();
   scenes::RunHooks hooks;
   hooks.writers = files.writers();
   RunReport report;

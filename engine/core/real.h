@@ -12,3 +12,4 @@ using Real = long double;
 }
 
 #define BALLPARK_INLINE [[gnu::always_inline]] inline
+#define BALLPARK_INLINE_LAMBDA __attribute__((always_inline))

@@ -6,8 +6,11 @@
 #include "engine/core/flush_denormals.h"
 
 #ifdef BALLPARK_TBB
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+
+#include <optional>
 #else
 #include <condition_variable>
 #include <cstdint>
@@ -29,7 +32,12 @@ void run_range(std::size_t first, std::size_t last, FunctionRef<void(std::size_t
 #ifdef BALLPARK_TBB
 
 struct Workers::Pool {
-  explicit Pool(int threads) : arena(threads) {}
+  explicit Pool(int threads) : arena(threads) {
+    // TBB makes no more workers than there are cores unless told so; told less, it would hold back the caller's own.
+    if (threads > tbb::this_task_arena::max_concurrency()) {
+      more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    }
+  }
   void run(int, std::size_t count, FunctionRef<void(std::size_t)> task) {
     arena.execute([&] {
       tbb::parallel_for(
@@ -38,6 +46,7 @@ struct Workers::Pool {
           tbb::static_partitioner{});
     });
   }
+  std::optional<tbb::global_control> more;
   tbb::task_arena arena;
 };
 
@@ -106,8 +115,8 @@ Workers::Workers(int threads)
 Workers::~Workers() = default;
 Workers::Workers(Workers&&) noexcept = default;
 
-void Workers::for_each(std::size_t count, FunctionRef<void(std::size_t)> task) {
-  if (count <= 1 || !pool_) {
+void Workers::for_each(std::size_t count, FunctionRef<void(std::size_t)> task, int at_most) {
+  if (count <= 1 || at_most <= 1 || !pool_) {
     run_range(0, count, task);
   } else {
     pool_->run(threads_, count, task);

@@ -16,9 +16,10 @@ class Workers {
   Workers(Workers&&) noexcept;
   int threads() const { return threads_; }
 
-  /// Runs task(i) once for each i in [0, count), on all threads, each with denormals flushed; returns when all are
-  /// done. Threads take fixed, contiguous shares. With one task or one thread nothing but the caller works.
-  void for_each(std::size_t count, FunctionRef<void(std::size_t)> task);
+  /// Runs task(i) once for each i in [0, count), on all threads (or the caller's alone: `at_most` = 1), each with
+  /// denormals flushed; returns when all are done. Threads take fixed, contiguous shares.
+  void for_each(std::size_t count, FunctionRef<void(std::size_t)> task, int at_most);
+  void for_each(std::size_t count, FunctionRef<void(std::size_t)> task) { for_each(count, task, threads_); }
 
  private:
   struct Pool;

@@ -22,38 +22,27 @@ struct EffectList {
 using LocalEffects =
     EffectList<Gravity, LinearDrag, QuadraticDrag, Magnus, Spring, CentralGravity, AppliedForce, AppliedTorque>;
 
-/// The instances of one effect on one group: an array of its Constants.
-struct EffectSlot {
+/// One effect on a group: which of the list, and its Constants.
+struct EffectInstance {
+  int effect = 0;
   const void* constants = nullptr;
-  int count = 0;
 };
 
-template <class E, class V>
-BALLPARK_INLINE void add_force(const EffectSlot& slot, const Body<V>& body, Loads<V>& sum) {
-  const auto* constants = static_cast<const typename E::Constants*>(slot.constants);
-  for (int i = 0; i < slot.count; ++i) E::force(constants[i], body, sum);
-}
-
-template <class E, class V>
-BALLPARK_INLINE void add_force_rate(const EffectSlot& slot, const Body<V>& body, const Acceleration<V>& a,
-                                    Loads<V>& sum) {
-  const auto* constants = static_cast<const typename E::Constants*>(slot.constants);
-  if constexpr (requires { E::force_rate(*constants, body, a, sum); }) {
-    for (int i = 0; i < slot.count; ++i) E::force_rate(constants[i], body, a, sum);
-  }
-}
-
-/// All local effects on one group, as kernels read them: one predicted branch for each effect that is off.
+/// All local effects on one group, as kernels read them. What is off is not in the list.
 struct LocalForces {
-  EffectSlot slots[LocalEffects::count];
+  const EffectInstance *begin = nullptr, *end = nullptr;  ///< by effect
   SumColumns sums;
+  bool read_position = true;  ///< does any of them?
 
   template <class V>
   BALLPARK_INLINE Loads<V> loads(const Body<V>& body) const {
     Loads<V> sum;
     if (sums.force[0]) sum.force = from_columns<V>(sums.force, body.row);
     if (sums.torque[0]) sum.torque = from_columns<V>(sums.torque, body.row);
-    add_forces(LocalEffects{}, body, sum);
+    for (const EffectInstance* at = begin; at != end; ++at) {
+      of_kind(LocalEffects{}, *at,
+              [&]<class E>(const typename E::Constants& c) BALLPARK_INLINE_LAMBDA { E::force(c, body, sum); });
+    }
     return sum;
   }
 
@@ -61,7 +50,11 @@ struct LocalForces {
   template <class V>
   BALLPARK_INLINE Loads<V> load_rates(const Body<V>& body, const Acceleration<V>& a) const {
     Loads<V> sum;
-    add_force_rates(LocalEffects{}, body, a, sum);
+    for (const EffectInstance* at = begin; at != end; ++at) {
+      of_kind(LocalEffects{}, *at, [&]<class E>(const typename E::Constants& c) BALLPARK_INLINE_LAMBDA {
+        if constexpr (requires { E::force_rate(c, body, a, sum); }) E::force_rate(c, body, a, sum);
+      });
+    }
     return sum;
   }
 
@@ -71,17 +64,13 @@ struct LocalForces {
     return {load<V>(columns[0] + row), load<V>(columns[1] + row), load<V>(columns[2] + row)};
   }
 
-  template <class V, class... E>
-  BALLPARK_INLINE void add_forces(EffectList<E...>, const Body<V>& body, Loads<V>& sum) const {
-    const EffectSlot* slot = slots;
-    (add_force<E>(*slot++, body, sum), ...);
-  }
-
-  template <class V, class... E>
-  BALLPARK_INLINE void add_force_rates(EffectList<E...>, const Body<V>& body, const Acceleration<V>& a,
-                                       Loads<V>& sum) const {
-    const EffectSlot* slot = slots;
-    (add_force_rate<E>(*slot++, body, a, sum), ...);
+  /// Calls f with the instance's effect as a type: compilers make a jump table of the comparisons.
+  template <class... E, class F>
+  BALLPARK_INLINE static void of_kind(EffectList<E...>, const EffectInstance& instance, F f) {
+    int kind = 0;
+    (void)((instance.effect == kind++ &&
+            (f.template operator()<E>(*static_cast<const typename E::Constants*>(instance.constants)), true)) ||
+           ...);
   }
 };
 

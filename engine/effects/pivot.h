@@ -10,7 +10,7 @@ namespace ballpark::BALLPARK_PRECISION {
 
 struct PivotedMotion {
   static constexpr bool spins = true, turns = true;
-  static constexpr int momentum = 0, quaternion = 3, size = 7;
+  static constexpr int position_end = 0, momentum = 0, quaternion = 3, size = 7;
   static constexpr int momenta_begin = 0, momenta_end = 3;
 
   template <class V>

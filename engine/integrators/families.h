@@ -1,4 +1,4 @@
-// The families' phases, as templates on the motion M and the vector type V. n = M::size values of state.
+// The families' phases, as templates on the motion M and the vector type V. M::size values of state.
 #pragma once
 
 #include "engine/integrators/method.h"
@@ -26,19 +26,18 @@ BALLPARK_INLINE void copy(const V* from, V* to) {
 
 /// The state of a step in registers. Compensated: what rounding takes from each sum is carried to the next one, so that
 /// the error of a step is about h times an ulp of the state (Kahan 1965; Moller 1965; Hairer, Lubich & Wanner VIII.5).
-template <class M, class V>
+template <class M, class V, bool compensated = false>
 struct State {
-  V y[M::size];
-  V carry[M::size];
-  bool compensated;
+  using Motion = M;
+  using Value = V;
+  static constexpr int size = M::size;
+
+  V y[size];
+  V carry[compensated ? size : 1];
 
   /// y_i += change_i for i in [begin, end).
   BALLPARK_INLINE void add(int begin, int end, const V* change) {
-    if (!compensated) {
-      for (int i = begin; i < end; ++i) y[i] += change[i];
-      return;
-    }
-    for (int i = begin; i < end; ++i) add_exactly(i, change[i]);
+    for (int i = begin; i < end; ++i) add(i, change[i]);
   }
 
   /// Normalises the quaternion, if the motion has one.
@@ -47,8 +46,8 @@ struct State {
       V* q = y + M::quaternion;
       const V scale = inverse_length(q);
       for (int c = 0; c < 4; ++c) {
-        if (compensated) {
-          add_exactly(M::quaternion + c, q[c] * (scale - V(Real(1))));
+        if constexpr (compensated) {
+          add(M::quaternion + c, q[c] * (scale - V(Real(1))));
         } else {
           q[c] *= scale;
         }
@@ -57,15 +56,19 @@ struct State {
   }
 
  private:
-  /// Knuth's two-sum: y + change = sum + rest without error.
-  BALLPARK_INLINE void add_exactly(int i, V change) {
-    const V add = change + carry[i], sum = y[i] + add, part = sum - y[i];
-    carry[i] = (y[i] - (sum - part)) + (add - part);
-    y[i] = sum;
+  /// Compensated: Knuth's two-sum, y + change = sum + rest without error.
+  BALLPARK_INLINE void add(int i, V change) {
+    if constexpr (compensated) {
+      const V add = change + carry[i], sum = y[i] + add, part = sum - y[i];
+      carry[i] = (y[i] - (sum - part)) + (add - part);
+      y[i] = sum;
+    } else {
+      y[i] += change;
+    }
   }
 };
 
-/// Rates of the state y under the group's forces; `forces` is any type with loads(body).
+/// Rates of the state y under the group's forces; `forces` is any type with loads(body) and read_position.
 template <class M, class V, class Forces>
 BALLPARK_INLINE void evaluate(const Forces& forces, const typename M::template Constants<V>& k, const V* y, V* rate) {
   const Body<V> body = M::body(k, y);
@@ -74,53 +77,78 @@ BALLPARK_INLINE void evaluate(const Forces& forces, const typename M::template C
 
 /// y_i = y + sum_j h a_ij k_j;  y' = y + sum_i h b_i k_i  (Hairer, Norsett & Wanner, Solving ODEs I, eq. II.1.8).
 struct ExplicitRungeKutta {
+  using Staged = ExplicitRungeKutta;            ///< the family whose passes the staged path runs
   static constexpr bool prepare_moves = false;  ///< does prepare change the state itself?
 
-  template <class M, class V, class Constants, class Rates>
-  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants&, State<M, V>& state, const Rates& k,
+  template <class S, class V, class Constants, class Rates>
+  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants&, S& state, const Rates& k,
                                       V* trial) {
-    copy<M::size>(state.y, trial);
+    copy<S::size>(state.y, trial);
     for (int j = 0; j < phase; ++j) {
       if (m.a[phase][j] == 0) continue;
-      for (int i = 0; i < M::size; ++i) trial[i] += V(m.a[phase][j]) * k(j, i);
+      for (int i = 0; i < S::size; ++i) trial[i] += V(m.a[phase][j]) * k(j, i);
     }
   }
 
-  template <class M, class V, class Constants, class Forces, class Rates>
-  BALLPARK_INLINE static void finish(const Method& m, const Constants&, const Forces&, const Rates& k,
-                                     State<M, V>& state) {
-    V sum[M::size];
-    for (int i = 0; i < M::size; ++i) sum[i] = V(Real(0));
+  template <class S, class Constants, class Forces, class Rates>
+  BALLPARK_INLINE static void finish(const Method& m, const Constants&, const Forces&, const Rates& k, S& state) {
+    using V = typename S::Value;
+    V sum[S::size];
+    for (int i = 0; i < S::size; ++i) sum[i] = V(Real(0));
     for (int p = 0; p < m.phases; ++p) {
       if (m.b[p] == 0) continue;
-      for (int i = 0; i < M::size; ++i) sum[i] += V(m.b[p]) * k(p, i);
+      for (int i = 0; i < S::size; ++i) sum[i] += V(m.b[p]) * k(p, i);
     }
-    state.add(0, M::size, sum);
+    state.add(0, S::size, sum);
+  }
+};
+
+/// Tableaus whose a is its subdiagonal (Euler, midpoint, Heun, rk4): each stage needs the one before only, so a whole
+/// step keeps one k, and positions of trial states are computed only for effects that read them. The sums are those of
+/// ExplicitRungeKutta in the same order, and so are the bits.
+struct ChainedRungeKutta : ExplicitRungeKutta {
+  template <class S, class Constants, class Forces>
+  BALLPARK_INLINE static void whole_step(const Method& m, const Constants& c, const Forces& forces, S& state) {
+    using V = typename S::Value;
+    V trial[S::size], k[S::size], sum[S::size];
+    copy<S::size>(state.y, trial);
+    for (int i = 0; i < S::size; ++i) sum[i] = V(Real(0));
+    for (int p = 0;;) {
+      evaluate<typename S::Motion>(forces, c, trial, k);
+      for (int i = 0; m.b[p] != 0 && i < S::size; ++i) sum[i] += V(m.b[p]) * k[i];
+      if (++p == m.phases) break;
+      const auto move = [&](int i) BALLPARK_INLINE_LAMBDA { trial[i] = state.y[i] + V(m.a[p][p - 1]) * k[i]; };
+      for (int i = 0; forces.read_position && i < S::Motion::position_end; ++i) move(i);
+      for (int i = S::Motion::position_end; i < S::size; ++i) move(i);
+    }
+    state.add(0, S::size, sum);
   }
 };
 
 /// y' = y + h f + h^2/2 f', f' by the chain rule from the effects' force derivatives.
 struct Taylor {
+  using Staged = Taylor;
   static constexpr bool prepare_moves = false;
 
-  template <class M, class V, class Constants, class Rates>
-  BALLPARK_INLINE static void prepare(const Method&, int, const Constants&, State<M, V>& state, const Rates&,
-                                      V* trial) {
-    copy<M::size>(state.y, trial);
+  template <class S, class V, class Constants, class Rates>
+  BALLPARK_INLINE static void prepare(const Method&, int, const Constants&, S& state, const Rates&, V* trial) {
+    copy<S::size>(state.y, trial);
   }
 
-  template <class M, class V, class Constants, class Forces, class Rates>
+  template <class S, class Constants, class Forces, class Rates>
   BALLPARK_INLINE static void finish(const Method& m, const Constants& c, const Forces& forces, const Rates& k,
-                                     State<M, V>& state) {
+                                     S& state) {
+    using M = typename S::Motion;
+    using V = typename S::Value;
     const V* y = state.y;
     const Body<V> body = M::body(c, y);
     const Loads<V> loads = forces.loads(body);
     const Acceleration<V> a = M::acceleration(c, y, body, loads);
-    V rate[M::size], second[M::size], sum[M::size];
-    for (int i = 0; i < M::size; ++i) rate[i] = k(0, i);
+    V rate[S::size], second[S::size], sum[S::size];
+    for (int i = 0; i < S::size; ++i) rate[i] = k(0, i);
     M::second_rates(c, y, body, loads, a, forces.load_rates(body, a), rate, second);
-    for (int i = 0; i < M::size; ++i) sum[i] = V(m.step) * rate[i] + V(m.half_square) * second[i];
-    state.add(0, M::size, sum);
+    for (int i = 0; i < S::size; ++i) sum[i] = V(m.step) * rate[i] + V(m.half_square) * second[i];
+    state.add(0, S::size, sum);
   }
 };
 
@@ -129,53 +157,90 @@ struct Taylor {
 /// Forces that read velocity see it predicted to the end of the kick by the one before, which keeps velocity Verlet at
 /// second order.
 struct Splitting {
+  using Staged = Splitting;
   static constexpr bool prepare_moves = true;
 
-  template <class M, class V, class Rates>
-  BALLPARK_INLINE static void kick(V step, const Rates& k, int phase, State<M, V>& state) {
-    V change[M::size];
-    for (int i = M::momenta_begin; i < M::momenta_end; ++i) change[i] = step * k(phase, i);
-    state.add(M::momenta_begin, M::momenta_end, change);
-  }
-
-  /// Orientation by the midpoint rule at constant L: second order, as the methods that use it.
-  template <class M, class V, class Constants>
-  BALLPARK_INLINE static void drift(const Constants& c, V step, State<M, V>& state) {
-    V rate[M::size], change[M::size];
-    M::rates(c, state.y, M::body(c, state.y), Loads<V>{}, rate);
-    if constexpr (M::turns) {
-      V middle[M::size];
-      copy<M::size>(state.y, middle);
-      for (int i = M::quaternion; i < M::quaternion + 4; ++i) middle[i] += V(Real(0.5)) * step * rate[i];
-      M::rates(c, middle, M::body(c, middle), Loads<V>{}, rate);
-    }
-    for (int i = 0; i < M::size; ++i) change[i] = step * rate[i];
-    state.add(0, M::momenta_begin, change);
-    state.add(M::momenta_end, M::size, change);
-  }
-
-  template <class M, class V, class Constants, class Rates>
-  BALLPARK_INLINE static void apply(const Method& m, int phase, const Constants& c, const Rates& k,
-                                    State<M, V>& state) {
-    kick(V(m.kick[phase]), k, phase, state);
-    if (m.drift[phase] != 0) drift(c, V(m.drift[phase]), state);
-  }
-
-  template <class M, class V, class Constants, class Rates>
-  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants& c, State<M, V>& state,
-                                      const Rates& k, V* trial) {
+  template <class S, class Constants, class Rates, class V>
+  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants& c, S& state, const Rates& k,
+                                      V* trial) {
     if (phase > 0) apply(m, phase - 1, c, k, state);
-    copy<M::size>(state.y, trial);
-    for (int i = M::momenta_begin; phase > 0 && i < M::momenta_end; ++i) {
+    copy<S::size>(state.y, trial);
+    for (int i = S::Motion::momenta_begin; phase > 0 && i < S::Motion::momenta_end; ++i) {
       trial[i] += V(m.kick[phase]) * k(phase - 1, i);
     }
   }
 
-  template <class M, class V, class Constants, class Forces, class Rates>
-  BALLPARK_INLINE static void finish(const Method& m, const Constants& c, const Forces&, const Rates& k,
-                                     State<M, V>& state) {
+  template <class S, class Constants, class Forces, class Rates>
+  BALLPARK_INLINE static void finish(const Method& m, const Constants& c, const Forces&, const Rates& k, S& state) {
     apply(m, m.phases - 1, c, k, state);
   }
+
+ private:
+  template <class S, class Constants, class Rates>
+  BALLPARK_INLINE static void apply(const Method& m, int phase, const Constants& c, const Rates& k, S& state) {
+    kick(m.kick[phase], k, phase, state);
+    if (m.drift[phase] != 0) drift(c, m.drift[phase], state);
+  }
+
+  template <class S, class Rates>
+  BALLPARK_INLINE static void kick(Real step, const Rates& k, int phase, S& state) {
+    using M = typename S::Motion;
+    using V = typename S::Value;
+    V change[S::size];
+    for (int i = M::momenta_begin; i < M::momenta_end; ++i) change[i] = V(step) * k(phase, i);
+    state.add(M::momenta_begin, M::momenta_end, change);
+  }
+
+  /// Orientation by the midpoint rule at constant L: second order, as the methods that use it.
+  template <class S, class Constants>
+  BALLPARK_INLINE static void drift(const Constants& c, Real step, S& state) {
+    using M = typename S::Motion;
+    using V = typename S::Value;
+    V rate[S::size], change[S::size];
+    M::rates(c, state.y, M::body(c, state.y), Loads<V>{}, rate);
+    if constexpr (M::turns) {
+      V middle[S::size];
+      copy<S::size>(state.y, middle);
+      for (int i = M::quaternion; i < M::quaternion + 4; ++i) middle[i] += V(Real(0.5)) * V(step) * rate[i];
+      M::rates(c, middle, M::body(c, middle), Loads<V>{}, rate);
+    }
+    for (int i = 0; i < S::size; ++i) change[i] = V(step) * rate[i];
+    state.add(0, M::momenta_begin, change);
+    state.add(M::momenta_end, S::size, change);
+  }
 };
+
+/// A whole step in registers: all phases of the family F.
+template <class F, class S, class Constants, class Forces>
+BALLPARK_INLINE void whole_step(const Method& m, const Constants& c, const Forces& forces, S& state) {
+  if constexpr (requires { F::whole_step(m, c, forces, state); }) {
+    F::whole_step(m, c, forces, state);
+  } else {
+    using M = typename S::Motion;
+    typename S::Value trial[S::size];
+    LocalRates<M, typename S::Value> k;
+    for (int p = 0; p < m.phases; ++p) {
+      F::prepare(m, p, c, state, k, trial);
+      evaluate<M>(forces, c, trial, k.values[p]);
+    }
+    F::finish(m, c, forces, k, state);
+  }
+}
+
+/// Calls f with the family's type, as `f.template operator()<F>()`.
+template <class F>
+decltype(auto) with_family(Family family, F&& f) {
+  switch (family) {
+    case Family::chained_runge_kutta:
+      return f.template operator()<ChainedRungeKutta>();
+    case Family::taylor:
+      return f.template operator()<Taylor>();
+    case Family::splitting:
+      return f.template operator()<Splitting>();
+    case Family::explicit_runge_kutta:
+      break;
+  }
+  return f.template operator()<ExplicitRungeKutta>();
+}
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -9,8 +9,8 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-enum class Family { explicit_runge_kutta, taylor, splitting };
-inline constexpr int family_count = 3;
+enum class Family { explicit_runge_kutta, chained_runge_kutta, taylor, splitting };
+inline constexpr int family_count = 4;
 inline constexpr int max_phases = 4;
 
 /// A row scaled by the step: all that kernels read of a method.

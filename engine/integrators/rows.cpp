@@ -73,6 +73,7 @@ const Row* find_row(const std::string& name) {
 
 const char* name(Family family) {
   switch (family) {
+    case Family::chained_runge_kutta:
     case Family::explicit_runge_kutta:
       return "explicit Runge-Kutta";
     case Family::taylor:
@@ -83,10 +84,25 @@ const char* name(Family family) {
   return "";
 }
 
+namespace {
+
+/// Is a its subdiagonal, without zeros?
+bool is_chained(const Row& row) {
+  for (int i = 0; i < row.phases; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if ((row.a[i][j] != 0) != (j == i - 1)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 Method method_for(const Row& row, double step) {
   const Real h = static_cast<Real>(step);
   Method m;
-  m.family = row.family;
+  const bool chained = row.family == Family::explicit_runge_kutta && is_chained(row);
+  m.family = chained ? Family::chained_runge_kutta : row.family;
   m.phases = row.phases;
   m.step = h;
   m.half_square = h * h / 2;

@@ -16,6 +16,10 @@ struct PerBody {
   BALLPARK_INLINE V at(std::size_t row) const {
     return rows ? load<V>(rows + row) : V(value);
   }
+  template <class V>
+  BALLPARK_INLINE V inverse_at(std::size_t row) const {
+    return rows ? V(Real(1)) / load<V>(rows + row) : V(Real(1) / value);
+  }
 };
 
 template <class V>

@@ -6,6 +6,7 @@
 //   body               the quantities that effects read
 //   rates              y' under loads
 //   acceleration, second_rates   for Taylor-2: accelerations, and y'' under the loads' own rates
+//   position_end       y[0, position_end) is the position, which nothing but effects reads
 //   spins, turns       has an angular momentum, a quaternion; momentum, quaternion: where they start in y
 #pragma once
 
@@ -45,7 +46,7 @@ template <Spin kind>
 struct FreeMotion {
   static constexpr bool spins = kind != Spin::none;
   static constexpr bool turns = kind == Spin::oriented || kind == Spin::rigid;
-  static constexpr int momentum = 6, quaternion = 9;  // where they start in y
+  static constexpr int position_end = 3, momentum = 6, quaternion = 9;
   static constexpr int size = turns ? 13 : spins ? 9 : 6;
   static constexpr int momenta_begin = 3, momenta_end = spins ? 9 : 6;
 
@@ -61,7 +62,7 @@ struct FreeMotion {
     Constants<V> k;
     k.row = row;
     k.mass = c.mass.at<V>(row);
-    k.inverse_mass = V(Real(1)) / k.mass;
+    k.inverse_mass = c.mass.inverse_at<V>(row);
     if constexpr (spins) {
       for (int i = 0; i < (kind == Spin::rigid ? 3 : 1); ++i) k.inverse_inertia[i] = c.inverse_inertia[i].at<V>(row);
     }

@@ -21,8 +21,8 @@ struct ColumnInfo {
   std::string why;  ///< who asked for it
 };
 
-/// Rows are padded to this many: any vector of any target divides it.
-inline constexpr std::size_t row_alignment = 16;
+/// Rows are padded to this many: the lanes of every target divide it.
+inline constexpr std::size_t row_alignment = 32;
 constexpr std::size_t padded(std::size_t rows) {
   return (rows + row_alignment - 1) / row_alignment * row_alignment;
 }

@@ -77,6 +77,20 @@ bool is_finite(const Group& group, std::size_t row) {
   });
 }
 
+void Group::list_instances() {
+  instances.clear();
+  kernel.forces.read_position = false;
+  for (std::size_t e = 0; e < effects.size(); ++e) {
+    const EffectInfo& info = local_effects()[e];
+    for (std::size_t at = 0; at < effects[e].size(); at += info.constants_size) {
+      instances.push_back({static_cast<int>(e), effects[e].data() + at});
+      if (info.reads("position")) kernel.forces.read_position = true;
+    }
+  }
+  kernel.forces.begin = instances.data();
+  kernel.forces.end = instances.data() + instances.size();
+}
+
 World::Place World::place_of(std::size_t id) const {
   const std::size_t copy = id / per_copy_, in_copy = id % per_copy_;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -210,7 +224,7 @@ void World::apply_load(const std::string& kind, std::size_t id, const Vector3d& 
   void* constants = instances.data() + instances.size() - info.constants_size;
   info.pack({parameters, 0, {}}, constants);
   info.rows(constants)->row = static_cast<std::ptrdiff_t>(place.row);
-  group.kernel.forces.slots[index] = {instances.data(), static_cast<int>(instances.size() / info.constants_size)};
+  group.list_instances();
   for (const double edge : {at, until}) {
     if (std::isfinite(edge) && edge > time()) add_event({edge, {}});
   }

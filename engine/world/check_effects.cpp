@@ -131,8 +131,13 @@ struct EffectCheck {
   /// A particle at its own pivot has no inertia about it.
   void check_arm(const std::map<std::string, Value>& parameters, const BodyGroup& group) {
     const auto& points = std::get<std::vector<Vector3d>>(parameters.at("point"));
-    for (std::size_t i = 0; i < group.position.size(); ++i) {
-      if (group.position[i] != points[points.size() == group.position.size() ? i : 0]) continue;
+    const auto row = [](const std::vector<Vector3d>& rows, std::size_t i) { return rows[rows.size() == 1 ? 0 : i]; };
+    const std::size_t bodies = body_count(group);
+    for (const auto* rows : {&points, &group.position}) {
+      if (rows->size() != 1 && rows->size() != bodies) return;  // a problem of its own
+    }
+    for (std::size_t i = 0; i < bodies; ++i) {
+      if (row(group.position, i) != row(points, i)) continue;
       problems.add(path("point"),
                    fmt::format("is where particle {} of group {} is, expected a point beside it", i, group.name));
       return;

@@ -73,7 +73,7 @@ struct PassWriter {
   double effect_flops() const {
     double sum = 0;
     for (std::size_t e = 0; e < group.effects.size(); ++e) {
-      sum += local_effects()[e].description.flops * group.kernel.forces.slots[e].count;
+      sum += local_effects()[e].description.flops * static_cast<double>(group.instance_count(e));
     }
     return sum;
   }
@@ -156,7 +156,7 @@ GroupReport report(const Group& group, const std::vector<UserEffect>& users) {
   GroupReport r{group.name, name(group.motion), group.live, group.why, {}, {}};
   if (group.motion == MotionKind::pivoted) r.effects.push_back("pivot");
   for (std::size_t e = 0; e < group.effects.size(); ++e) {
-    const int count = group.kernel.forces.slots[e].count;
+    const std::size_t count = group.instance_count(e);
     const std::string& effect = local_effects()[e].description.name;
     if (count > 0) r.effects.push_back(count == 1 ? effect : effect + " x" + std::to_string(count));
   }
@@ -178,7 +178,7 @@ std::vector<std::string> what_is_off(const std::vector<Group>& groups, bool fuse
   off.push_back("pairs");
   off.push_back("contacts");
   for (std::size_t e = 0; e < LocalEffects::count; ++e) {
-    if (none([e](const Group& g) { return g.kernel.forces.slots[e].count > 0; })) {
+    if (none([e](const Group& g) { return !g.effects[e].empty(); })) {
       off.push_back(local_effects()[e].description.name);
     }
   }

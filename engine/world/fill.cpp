@@ -188,10 +188,7 @@ void Builder::add_effects(Group& group) {
       sum.damping += part.damping;
     }
   }
-  for (std::size_t e = 0; e < group.effects.size(); ++e) {
-    const std::size_t size = local_effects()[e].constants_size;
-    group.kernel.forces.slots[e] = {group.effects[e].data(), static_cast<int>(group.effects[e].size() / size)};
-  }
+  group.list_instances();
   check_stability(group, sum);
 }
 

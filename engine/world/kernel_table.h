@@ -18,20 +18,30 @@ struct StepGroup {
   Real* const* rates = nullptr;  ///< staged path: rate i of phase p is rates[p * size + i]
 };
 
-/// Rows [first, last), a multiple of the lanes: padding rows repeat the last body. `finite`: no value is NaN or
-/// infinite.
+/// Rows [first, last), a multiple of any vector: padding rows repeat the last body. True: every value stays finite.
 using FusedStep = bool(const StepGroup&, const Method&, std::size_t first, std::size_t last);
 using Prepare = void(const StepGroup&, const Method&, int phase, std::size_t first, std::size_t last);
 using Evaluate = void(const StepGroup&, int phase, std::size_t first, std::size_t last);
 using Finish = bool(const StepGroup&, const Method&, std::size_t first, std::size_t last);
 
+/// One family's kernels, by motion.
+struct FamilyKernels {
+  FusedStep* fused[motion_count];
+  Prepare* prepare[motion_count];
+  Finish* finish[motion_count];
+};
+struct StepKernels {
+  FamilyKernels families[family_count];
+};
+
 struct KernelTable {
   const char* target;
-  std::size_t lanes;
-  FusedStep* fused[family_count][motion_count];
-  Prepare* prepare[family_count][motion_count];
+  StepKernels plain_and_compensated[2];
   Evaluate* evaluate[motion_count];
-  Finish* finish[family_count][motion_count];
+
+  const FamilyKernels& family(Family f, bool compensated) const {
+    return plain_and_compensated[compensated].families[static_cast<int>(f)];
+  }
 };
 
 const KernelTable& kernel_table_base();

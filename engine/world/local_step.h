@@ -8,56 +8,60 @@
 namespace ballpark::BALLPARK_PRECISION {
 
 /// Turns NaN where any value of the state is not finite (or where their sum overflows: the caller looks closer).
-template <class M, class V>
+/// Summed as a tree: short chains of additions.
+template <int size, class V>
 BALLPARK_INLINE void watch(V& poison, const V* y) {
-  V sum = y[0];
-  for (int i = 1; i < M::size; ++i) sum += y[i];
-  poison += sum * V(Real(0));
-}
-
-template <class M, class V>
-BALLPARK_INLINE void load_state(const StepGroup& group, std::size_t row, State<M, V>& state) {
-  M::load(group.state, row, state.y);
-  state.compensated = group.carry != nullptr;
-  for (int i = 0; i < M::size; ++i) {
-    state.carry[i] = state.compensated ? load<V>(group.carry[i] + row) : V(Real(0));
+  V sum[size];
+  copy<size>(y, sum);
+  for (int n = size; n > 1; n = (n + 1) / 2) {
+    for (int i = 0; i < n / 2; ++i) sum[i] += sum[n - 1 - i];
   }
+  poison += sum[0] * V(Real(0));
 }
 
-template <class M, class V, class Constants>
-BALLPARK_INLINE void store_state(const StepGroup& group, const Constants& c, const State<M, V>& state) {
+template <class M, class V, bool compensated>
+BALLPARK_INLINE void load_state(const StepGroup& group, std::size_t row, State<M, V, compensated>& state) {
+  M::load(group.state, row, state.y);
+  for (int i = 0; compensated && i < M::size; ++i) state.carry[i] = load<V>(group.carry[i] + row);
+}
+
+template <class M, class V, bool compensated, class Constants>
+BALLPARK_INLINE void store_state(const StepGroup& group, const Constants& c, const State<M, V, compensated>& state) {
   M::store(group.state, c, state.y);
-  if (!state.compensated) return;
-  for (int i = 0; i < M::size; ++i) store(group.carry[i] + c.row, state.carry[i]);
+  for (int i = 0; compensated && i < M::size; ++i) store(group.carry[i] + c.row, state.carry[i]);
 }
 
-/// A whole step in registers: memory is read and written once.
-template <class F, class M, class V>
-static bool fused_step(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
+/// Moves rows by move(constants, state), which is all of a step or its end; true if every value stays finite.
+template <class S, class Move>
+BALLPARK_INLINE bool move_rows(const StepGroup& group, std::size_t first, std::size_t last, Move move) {
+  using M = typename S::Motion;
+  using V = typename S::Value;
   V poison = V(Real(0));
   for (std::size_t row = first; row < last; row += lane_count<V>) {
     const auto c = M::template constants<V>(group.constants, row);
-    State<M, V> state;
-    V trial[M::size];
-    LocalRates<M, V> k;
+    S state;
     load_state(group, row, state);
-    for (int p = 0; p < method.phases; ++p) {
-      F::prepare(method, p, c, state, k, trial);
-      evaluate<M>(group.forces, c, trial, k.values[p]);
-    }
-    F::finish(method, c, group.forces, k, state);
+    move(c, state);
     state.normalise();
     store_state(group, c, state);
-    watch<M>(poison, state.y);
+    watch<M::size>(poison, state.y);
   }
   return !any_nonzero(poison);
 }
 
-template <class F, class M, class V>
+/// A whole step in registers: memory is read and written once.
+template <class F, class M, class V, bool compensated>
+static bool fused_step(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
+  return move_rows<State<M, V, compensated>>(
+      group, first, last,
+      [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA { whole_step<F>(method, c, group.forces, state); });
+}
+
+template <class F, class M, class V, bool compensated>
 static void prepare_pass(const StepGroup& group, const Method& method, int phase, std::size_t first, std::size_t last) {
   for (std::size_t row = first; row < last; row += lane_count<V>) {
     const auto c = M::template constants<V>(group.constants, row);
-    State<M, V> state;
+    State<M, V, compensated> state;
     V trial[M::size];
     load_state(group, row, state);
     F::prepare(method, phase, c, state, ColumnRates<M, V>{group.rates, row}, trial);
@@ -84,40 +88,46 @@ static void evaluate_pass(const StepGroup& group, int phase, std::size_t first, 
   }
 }
 
-template <class F, class M, class V>
+template <class F, class M, class V, bool compensated>
 static bool finish_pass(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
-  V poison = V(Real(0));
-  for (std::size_t row = first; row < last; row += lane_count<V>) {
-    const auto c = M::template constants<V>(group.constants, row);
-    State<M, V> state;
-    load_state(group, row, state);
-    F::finish(method, c, group.forces, ColumnRates<M, V>{group.rates, row}, state);
-    state.normalise();
-    store_state(group, c, state);
-    watch<M>(poison, state.y);
-  }
-  return !any_nonzero(poison);
+  return move_rows<State<M, V, compensated>>(
+      group, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
+        F::finish(method, c, group.forces, ColumnRates<M, V>{group.rates, c.row}, state);
+      });
 }
 
-template <class V, class... M>
+/// Two registers of particles at a time; a turning body's state fills the registers alone. `vector<n>` is the vector
+/// type of n registers, or Real.
+template <class M>
+inline constexpr int registers = M::turns || M::spins ? 1 : 2;
+
+template <class F, bool compensated, template <int> class Vector, class... M>
+static constexpr FamilyKernels family_kernels() {
+  return {{&fused_step<F, M, Vector<registers<M>>, compensated>...},
+          {&prepare_pass < typename F::Staged, M, Vector<registers<M>>, compensated && F::prepare_moves > ...},
+          {&finish_pass<typename F::Staged, M, Vector<registers<M>>, compensated>...}};
+}
+
+template <bool compensated, template <int> class Vector, class... M>
+static constexpr StepKernels step_kernels() {
+  StepKernels kernels = {{family_kernels<ExplicitRungeKutta, compensated, Vector, M...>(),
+                          family_kernels<ChainedRungeKutta, compensated, Vector, M...>(),
+                          family_kernels<Taylor, compensated, Vector, M...>(),
+                          family_kernels<Splitting, compensated, Vector, M...>()}};
+  return kernels;
+}
+
+template <template <int> class Vector, class... M>
 static constexpr KernelTable make_table(const char* target) {
-  return {
-      target,
-      lane_count<V>,
-      {{&fused_step<ExplicitRungeKutta, M, V>...}, {&fused_step<Taylor, M, V>...}, {&fused_step<Splitting, M, V>...}},
-      {{&prepare_pass<ExplicitRungeKutta, M, V>...},
-       {&prepare_pass<Taylor, M, V>...},
-       {&prepare_pass<Splitting, M, V>...}},
-      {&evaluate_pass<M, V>...},
-      {{&finish_pass<ExplicitRungeKutta, M, V>...},
-       {&finish_pass<Taylor, M, V>...},
-       {&finish_pass<Splitting, M, V>...}}};
+  return {target,
+          {step_kernels<false, Vector, M...>(), step_kernels<true, Vector, M...>()},
+          {&evaluate_pass<M, Vector<registers<M>>>...}};
 }
 
 /// In the order of MotionKind.
-template <class V>
+template <template <int> class Vector>
 static constexpr KernelTable table_of_all_motions(const char* target) {
-  return make_table<V, FreeMotion<Spin::none>, FreeMotion<Spin::carried>, FreeMotion<Spin::oriented>,
+  return make_table<Vector, FreeMotion<Spin::none>, FreeMotion<Spin::carried>, FreeMotion<Spin::oriented>,
                     FreeMotion<Spin::rigid>, PivotedMotion>(target);
 }
 

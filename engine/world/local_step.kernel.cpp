@@ -9,7 +9,7 @@
 namespace ballpark::BALLPARK_PRECISION {
 
 const KernelTable& BALLPARK_JOIN(kernel_table_, BALLPARK_TARGET)() {
-  static constexpr KernelTable table = table_of_all_motions<Lanes>(BALLPARK_TEXT(BALLPARK_TARGET));
+  static constexpr KernelTable table = table_of_all_motions<LanesOf>(BALLPARK_TEXT(BALLPARK_TARGET));
   return table;
 }
 

@@ -113,7 +113,8 @@ RawView World::view(const std::string& name) const {
     if (column.info.role != Role::state) continue;
     known.push_back(column.info.name);
     if (column.info.name != name) continue;
-    RawView raw{column.first_row, column.rows, {}};
+    const std::size_t end = groups_.empty() ? 0 : groups_.back().first_row + groups_.back().live;
+    RawView raw{column.first_row, std::min(column.rows, end - column.first_row), {}};
     for (int c = 0; c < column.info.components; ++c) raw.components.push_back(column.at(c, column.first_row));
     return raw;
   }

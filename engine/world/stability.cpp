@@ -17,6 +17,7 @@ using Point = FreeMotion<Spin::none>;
 /// Forces of a damped oscillator, F = -k x - c v, as the families see them.
 struct OscillatorForces {
   Real spring, damping;
+  static constexpr bool read_position = true;
   template <class V>
   Loads<V> loads(const Body<V>& b) const {
     return {V(-spring) * b.position - V(damping) * b.velocity, {}};
@@ -27,40 +28,19 @@ struct OscillatorForces {
   }
 };
 
-template <class F>
-void move(const Method& m, const OscillatorForces& forces, State<Point, Real>& state) {
-  BodyConstants constants;
-  constants.mass.value = 1;
-  const auto c = Point::constants<Real>(constants, 0);
-  Real trial[Point::size];
-  LocalRates<Point, Real> k;
-  for (int p = 0; p < m.phases; ++p) {
-    F::prepare(m, p, c, state, k, trial);
-    evaluate<Point>(forces, c, trial, k.values[p]);
-  }
-  F::finish(m, c, forces, k, state);
-}
-
 /// Largest |eigenvalue| of the step matrix in (x, v h): scaled so that entries are of one size.
 double spectral_radius(const Row& row, double spring_h2, double damping_h) {
   const Method m = method_for(row, 1);
   const OscillatorForces forces{static_cast<Real>(spring_h2), static_cast<Real>(damping_h)};
+  BodyConstants unit_mass;
+  unit_mass.mass.value = 1;
+  const auto constants = Point::constants<Real>(unit_mass, 0);
   double matrix[2][2];
   for (int column = 0; column < 2; ++column) {
     State<Point, Real> state{};
     Real* y = state.y;
     y[column == 0 ? 0 : 3] = 1;
-    switch (m.family) {
-      case Family::explicit_runge_kutta:
-        move<ExplicitRungeKutta>(m, forces, state);
-        break;
-      case Family::taylor:
-        move<Taylor>(m, forces, state);
-        break;
-      case Family::splitting:
-        move<Splitting>(m, forces, state);
-        break;
-    }
+    with_family(m.family, [&]<class F>() { whole_step<F>(m, constants, forces, state); });
     matrix[0][column] = static_cast<double>(y[0]);
     matrix[1][column] = static_cast<double>(y[3]);
   }

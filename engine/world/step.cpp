@@ -76,27 +76,32 @@ void World::activate_windows(double from, double h) {
 template <class Task>
 void World::pass(const char* name, Task task) {
   const double begin = profiling_ ? seconds_now() : 0;
-  workers_.for_each(blocks_.size(), [&](std::size_t b) {
+  const auto run = [&](std::size_t b) {
     const Block& block = blocks_[b];
     task(groups_[block.group], block);
-  });
+  };
+  workers_.for_each(blocks_.size(), run, small_ ? 1 : threads());
   if (profiling_) record(name, seconds_now() - begin);
+}
+
+const FamilyKernels& World::kernels_of(const Group& group, const Method& method) const {
+  return kernels_->family(method.family, group.kernel.carry != nullptr);
 }
 
 void World::fused_pass(const Method& method) {
   std::atomic<bool> finite = true;
   pass("fused_step", [&](const Group& group, const Block& block) {
-    FusedStep* kernel = kernels_->fused[static_cast<int>(method.family)][static_cast<int>(group.motion)];
+    FusedStep* kernel = kernels_of(group, method).fused[static_cast<int>(group.motion)];
     if (!kernel(group.kernel, method, block.first, block.last)) finite.store(false, std::memory_order_relaxed);
   });
   if (!finite) report_non_finite();
 }
 
 void World::staged_passes(const Method& method, double from) {
-  const auto family = static_cast<std::size_t>(method.family);
   for (int phase = 0; phase < method.phases; ++phase) {
     pass("prepare", [&](const Group& group, const Block& block) {
-      kernels_->prepare[family][static_cast<int>(group.motion)](group.kernel, method, phase, block.first, block.last);
+      Prepare* prepare = kernels_of(group, method).prepare[static_cast<int>(group.motion)];
+      prepare(group.kernel, method, phase, block.first, block.last);
     });
     if (!users_.empty()) user_pass(from + method.offset[phase]);
     pass("evaluate", [&](const Group& group, const Block& block) {
@@ -105,7 +110,7 @@ void World::staged_passes(const Method& method, double from) {
   }
   std::atomic<bool> finite = true;
   pass("finish", [&](const Group& group, const Block& block) {
-    Finish* finish = kernels_->finish[family][static_cast<int>(group.motion)];
+    Finish* finish = kernels_of(group, method).finish[static_cast<int>(group.motion)];
     if (!finish(group.kernel, method, block.first, block.last)) finite.store(false, std::memory_order_relaxed);
   });
   if (!finite) report_non_finite();
@@ -153,8 +158,9 @@ void World::report_non_finite() {
     }
   }
   if (!first) return;  // values so large that their sum overflowed, each still finite
-  status_ = {Status::Code::non_finite, "body " + std::to_string(*first) + " is no longer finite", *first,
-             counters_.steps + 1, time() + step_};
+  std::string sentence = "body " + std::to_string(*first) + " is no longer finite";
+  if (status_.code != Status::Code::ok) sentence += "; " + status_.sentence;
+  status_ = {Status::Code::non_finite, std::move(sentence), *first, counters_.steps + 1, time() + step_};
 }
 
 /// Keeps events in the order of their times; one that is already over takes part in the next step.

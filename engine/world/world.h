@@ -33,6 +33,7 @@ struct Group {
   std::vector<std::pair<std::string, double>> constants;  ///< equal over the group, by name
   std::vector<Vector3d> inertia;  ///< principal moments [kg m^2]: none, one, or one for each body of a copy
   std::array<std::vector<std::byte>, LocalEffects::count> effects;  ///< Constants of each instance, by local effect
+  std::vector<EffectInstance> instances;                            ///< what kernel.forces points to
   std::vector<std::size_t> users;                                   ///< indices of user effects
   StepGroup kernel;
   std::vector<Real*> rates;  ///< staged path: what kernel.rates points to
@@ -40,6 +41,9 @@ struct Group {
 
   bool turns() const { return carried >= MotionKind::oriented; }
   bool spins() const { return carried != MotionKind::point; }
+  std::size_t instance_count(std::size_t e) const { return effects[e].size() / local_effects()[e].constants_size; }
+  /// After a change of effects: tells the kernels.
+  void list_instances();
 };
 
 struct Block {
@@ -91,6 +95,7 @@ class World : public WorldInterface {
   void one_step();
   void advance(double from, double h);
   void activate_windows(double from, double h);
+  const FamilyKernels& kernels_of(const Group& group, const Method& method) const;
   void fused_pass(const Method& method);
   void staged_passes(const Method& method, double from);
   void user_pass(double time);
@@ -111,6 +116,7 @@ class World : public WorldInterface {
   Columns columns_;
   std::vector<Group> groups_;  ///< by row; those that carry more columns last
   std::vector<Block> blocks_;
+  bool small_ = false;  ///< all bodies together are no more than a block: other threads would cost more than they bring
   std::vector<UserEffect> users_;
   std::vector<std::string> narrowed_;
   std::vector<Event> events_;  ///< by time

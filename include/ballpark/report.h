@@ -9,7 +9,8 @@
 
 namespace ballpark {
 
-/// How a run stands. The first thing that went wrong is kept.
+/// How a run stands: the gravest thing that went wrong, when it first did. The sentence names the lesser ones before
+/// it.
 struct Status {
   enum class Code { ok, stability, non_finite };
   Code code = Code::ok;

@@ -28,7 +28,14 @@ double ratio(double difference, double scale) {
   return scale > 0 ? difference / scale : 0;
 }
 
-/// Steps a world between occasions, asks for progress about every tenth of a second, and keeps the time it took.
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Steps a world between occasions, asks for progress about every tenth of a second (whatever took it), and keeps the
+/// time that the steps took.
 class Driver {
  public:
   Driver(World& world, const RunHooks& hooks, std::uint64_t total) : world_(world), hooks_(hooks), total_(total) {}
@@ -38,8 +45,8 @@ class Driver {
     while (world_.steps() < step) {
       const std::uint64_t left = step - world_.steps();
       walk(hooks_.progress ? std::min(chunk_, left) : left);
-      if (!hooks_.progress || since_progress_ < 0.1) continue;
-      since_progress_ = 0;
+      if (!hooks_.progress || seconds_since(last_progress_) < 0.1) continue;
+      last_progress_ = Clock::now();
       const double fraction = static_cast<double>(world_.steps()) / static_cast<double>(total_);
       if (!hooks_.progress(fraction)) return false;
     }
@@ -50,12 +57,10 @@ class Driver {
 
  private:
   void walk(std::uint64_t steps) {
-    using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     world_.step(steps);
-    const double taken = std::chrono::duration<double>(Clock::now() - start).count();
+    const double taken = seconds_since(start);
     seconds_ += taken;
-    since_progress_ += taken;
     if (steps == chunk_ && taken < 0.02) chunk_ *= 2;
     if (taken > 0.1) chunk_ = std::max<std::uint64_t>(1, chunk_ / 2);
   }
@@ -64,7 +69,8 @@ class Driver {
   const RunHooks& hooks_;
   std::uint64_t total_;
   std::uint64_t chunk_ = 1;
-  double seconds_ = 0, since_progress_ = 0;
+  double seconds_ = 0;
+  Clock::time_point last_progress_ = Clock::now();
 };
 
 class Run {

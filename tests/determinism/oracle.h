@@ -20,7 +20,7 @@ namespace ballpark::BALLPARK_PRECISION {
 
 namespace oracle {
 
-inline constexpr std::size_t rows = 48;  // three of the widest vectors
+inline constexpr std::size_t rows = 96;  // three of the widest vectors
 inline constexpr int most_values = max_state_size;
 
 /// Random numbers of every kind that a column can hold: mostly of size 1, some tiny, huge, zero or denormal.
@@ -95,12 +95,14 @@ class RandomGroup {
 
   template <class... E>
   void add_effects(EffectList<E...>) {
-    EffectSlot* slot = kernel.forces.slots;
-    ((*slot++ = {constants_of<E>(), 2}), ...);
+    int effect = 0;
+    (add_instances<E>(effect++), ...);
+    kernel.forces.begin = instances_.data();
+    kernel.forces.end = instances_.data() + instances_.size();
   }
   /// Two instances: one for all rows, one for a single row where the effect can choose; anchors for each body.
   template <class E>
-  const void* constants_of() {
+  void add_instances(int effect) {
     using Constants = typename E::Constants;
     auto& made = storage_.emplace_back(2 * sizeof(Constants));
     for (int i = 0; i < 2; ++i) {
@@ -110,9 +112,10 @@ class RandomGroup {
         for (PerBody& anchor : c.anchor) anchor.rows = add(&Numbers::plain);
         c.rest_length = i == 0 ? Real(0) : Real(0.5);
       }
-      std::memcpy(made.data() + static_cast<std::size_t>(i) * sizeof(Constants), &c, sizeof c);
+      std::byte* at = made.data() + static_cast<std::size_t>(i) * sizeof(Constants);
+      std::memcpy(at, &c, sizeof c);
+      instances_.push_back({effect, at});
     }
-    return made.data();
   }
   template <class Constants>
   Constants random_constants() {
@@ -132,6 +135,7 @@ class RandomGroup {
   Numbers numbers_;
   std::deque<std::vector<Real>> columns_;
   std::deque<std::vector<std::byte>> storage_;
+  std::vector<EffectInstance> instances_;
   Real* carry_[most_values] = {};
   Real* rates_[max_phases * most_values] = {};
 };
@@ -151,26 +155,30 @@ inline std::string difference(const RandomGroup& a, const RandomGroup& b) {
 
 /// A step of all rows on the path; returns whether the kernel found everything finite.
 inline bool step(const KernelTable& table, const Method& method, int motion, bool fused, const StepGroup& group) {
-  const auto family = static_cast<std::size_t>(method.family);
-  const auto m = static_cast<std::size_t>(motion);
-  if (fused) return table.fused[family][m](group, method, 0, rows);
+  const FamilyKernels& kernels = table.family(method.family, group.carry != nullptr);
+  if (fused) return kernels.fused[motion](group, method, 0, rows);
   for (int phase = 0; phase < method.phases; ++phase) {
-    table.prepare[family][m](group, method, phase, 0, rows);
-    table.evaluate[m](group, phase, 0, rows);
+    kernels.prepare[motion](group, method, phase, 0, rows);
+    table.evaluate[motion](group, phase, 0, rows);
   }
-  return table.finish[family][m](group, method, 0, rows);
+  return kernels.finish[motion](group, method, 0, rows);
 }
 
-/// One random group, moved by the oracle and by the target's kernels.
+template <int>
+using Scalar = Real;
+
+/// One random group, moved by the oracle and by the target's kernels. A chained method's oracle keeps every stage.
 inline void compare(const KernelTable& kernels, const Row& row, int motion, bool compensated, unsigned seed) {
-  static constexpr KernelTable scalar = table_of_all_motions<Real>("scalar");
+  static constexpr KernelTable scalar = table_of_all_motions<Scalar>("scalar");
   const Method method = method_for(row, 0.01);
+  Method plain = method;
+  plain.family = row.family;
   for (const bool fused : {true, false}) {
     CAPTURE(kernels.target, row.name, motion, compensated, seed, fused);
     RandomGroup one(seed, compensated), other(seed, compensated);
     const RandomGroup before(seed, compensated);
     REQUIRE(difference(one, other).empty());
-    const bool finite = step(scalar, method, motion, fused, one.kernel);
+    const bool finite = step(scalar, plain, motion, fused, one.kernel);
     CHECK(step(kernels, method, motion, fused, other.kernel) == finite);
     CHECK(difference(one, other) == "");
     CHECK(difference(one, before) != "");

@@ -41,6 +41,7 @@ double error_at_10(const std::string& integrator, int n) {
 
 /// The same force as the engine's families see one, with its derivative: user effects have none.
 struct SineForces {
+  static constexpr bool read_position = true;
   f64::Loads<double> loads(const f64::Body<double>& b) const { return {{-9.81 * maths::sin(b.position.x), 0, 0}, {}}; }
   f64::Loads<double> load_rates(const f64::Body<double>& b, const f64::Acceleration<double>&) const {
     return {{-9.81 * maths::cos(b.position.x) * b.velocity.x, 0, 0}, {}};

@@ -50,6 +50,8 @@ TEST_CASE("what is no longer finite is reported with its body, step and time", "
   world.step(1000);
   CHECK(world.status().code == Status::Code::non_finite);  // accepting the limit must not hide it
   CHECK(world.status().body == 1);
+  CHECK_THAT(world.status().sentence,
+             Catch::Matchers::StartsWith("body 1 is no longer finite; a step of 0.05 s exceeds"));
 
   Scene pushed = scene(particle(Vector3d::Zero()), {}, 1, 0.125);
   pushed.bodies[0].position = {{0, 0, 0}, {1, 0, 0}};

@@ -1,4 +1,8 @@
 // The list of effects: descriptions that a stranger can use, and one row of a vector for an effect that has one row.
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <set>
 
 #include "engine/effects/local_effects.h"
@@ -42,6 +46,44 @@ TEST_CASE("Effect list: what an effect offers is found in its code", "[effects]"
   }
   CHECK(local_effect_index("pivot") == -1);
   CHECK(local_effect_index("gravty") == -1);
+}
+
+TEST_CASE("Effect list: an effect reads what it says, and nothing else", "[effects]") {
+  constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+  const auto per_body = [](const std::string&, const std::vector<ballpark::Vector3d>& rows) {
+    std::array<PerBody, 3> columns;
+    for (Eigen::Index c = 0; c < 3; ++c) columns[static_cast<std::size_t>(c)].value = rows[0][c];
+    return columns;
+  };
+  for (std::size_t e = 0; e < local_effects().size(); ++e) {
+    const EffectInfo& info = local_effects()[e];
+    std::map<std::string, ballpark::Value> parameters;
+    for (const ballpark::ParameterInfo& p : info.description.parameters) {
+      using ballpark::ParameterKind;
+      const ballpark::Vector3d v(0.3, -0.2, 0.5);
+      ballpark::Value made = 0.25;
+      if (p.kind == ParameterKind::vector) made = v;
+      if (p.kind == ParameterKind::vectors) made = std::vector<ballpark::Vector3d>{v};
+      parameters[p.name] = made;
+    }
+    if (info.window) parameters["until"] = 1.0;
+    std::vector<std::byte> constants(info.constants_size);
+    info.pack({parameters, 1, per_body}, constants.data());
+    const EffectInstance instance{static_cast<int>(e), constants.data()};
+    LocalForces forces;
+    forces.begin = &instance;
+    forces.end = &instance + 1;
+    for (const std::string column : {"position", "velocity", "spin"}) {
+      Body<Real> body{0, 2, {1, 2, 3}, {4, 5, -6}, {7, -8, 9}};
+      if (column == "position") body.position = {nan, nan, nan};
+      if (column == "velocity") body.velocity = {nan, nan, nan};
+      if (column == "spin") body.spin = {nan, nan, nan};
+      const Loads<Real> loads = forces.loads(body);
+      const bool finite = std::isfinite(length(loads.force) + length(loads.torque));
+      CAPTURE(info.description.name, column);
+      CHECK(finite == !info.reads(column.c_str()));
+    }
+  }
 }
 
 TEST_CASE("Effect list: all precisions describe the same effects", "[effects]") {

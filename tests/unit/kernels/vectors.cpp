@@ -9,7 +9,8 @@ using namespace ballpark::BALLPARK_PRECISION;
 
 namespace {
 
-constexpr std::size_t lanes = lane_count<Lanes>;
+using Pair = LanesOf<2>;
+constexpr std::size_t lanes = lane_count<Pair>;
 
 template <class V>
 struct Turned {
@@ -36,12 +37,12 @@ Vector3<Real> by_quaternion(const std::array<Real, 4>& q, const Vector3<Real>& v
 TEST_CASE("Lanes: load, store and select, from any address", "[kernels]") {
   std::array<Real, 3 * lanes + 1> values{};
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Real>(i);
-  const Lanes v = load<Lanes>(values.data() + 1);
-  const Lanes chosen = select(v > Lanes(Real(2)), v, -v);
+  const Pair v = load<Pair>(values.data() + 1);
+  const Pair chosen = select(v > Pair(Real(2)), v, -v);
   for (std::size_t i = 0; i < lanes; ++i) {
     CHECK(v[i] == static_cast<Real>(i + 1));
     CHECK(chosen[i] == (i + 1 > 2 ? v[i] : -v[i]));
-    CHECK(lane_numbers<Lanes>()[i] == static_cast<Real>(i));
+    CHECK(lane_numbers<Pair>()[i] == static_cast<Real>(i));
   }
   store(values.data() + lanes + 1, v);
   CHECK(values[lanes] == static_cast<Real>(lanes));
@@ -52,22 +53,43 @@ TEST_CASE("Lanes: load, store and select, from any address", "[kernels]") {
   CHECK(load<Real>(values.data() + 1) == 1);
 }
 
+TEST_CASE("Lanes: arithmetic and comparisons, lane by lane", "[kernels]") {
+  std::array<Real, lanes> a{}, b{};
+  for (std::size_t i = 0; i < lanes; ++i) {
+    a[i] = static_cast<Real>(i) - 2;
+    b[i] = static_cast<Real>(3 * (i % 2)) - static_cast<Real>(1.5);
+  }
+  const Pair x = load<Pair>(a.data()), y = load<Pair>(b.data()), yes = Pair(Real(1)), no = Pair(Real(0));
+  for (std::size_t i = 0; i < lanes; ++i) {
+    CHECK((x + y)[i] == a[i] + b[i]);
+    CHECK((x - y)[i] == a[i] - b[i]);
+    CHECK((x * y)[i] == a[i] * b[i]);
+    CHECK((x / y)[i] == a[i] / b[i]);
+    CHECK((-x)[i] == -a[i]);
+    CHECK(select(x > y, yes, no)[i] == (a[i] > b[i] ? 1 : 0));
+    CHECK(select(x == Pair(Real(1)), yes, no)[i] == (a[i] == 1 ? 1 : 0));
+    CHECK(select(x != Pair(Real(1)), yes, no)[i] == (a[i] != 1 ? 1 : 0));
+  }
+  CHECK(std::signbit(Pair(Real(-0.0))[lanes - 1]));
+  CHECK_FALSE(std::signbit(Pair(Real(0))[0]));
+}
+
 TEST_CASE("Lanes: any_nonzero sees one lane, and NaN", "[kernels]") {
-  CHECK_FALSE(any_nonzero(Lanes(Real(0))));
-  CHECK_FALSE(any_nonzero(Lanes(Real(-0.0))));
+  CHECK_FALSE(any_nonzero(Pair(Real(0))));
+  CHECK_FALSE(any_nonzero(Pair(Real(-0.0))));
   CHECK_FALSE(any_nonzero(Real(0)));
   CHECK(any_nonzero(Real(NAN)));
   for (std::size_t lane = 0; lane < lanes; ++lane) {
-    Lanes v = Lanes(Real(0));
-    v[lane] = lane % 2 == 0 ? Real(NAN) : Real(1e-300);
-    CHECK(any_nonzero(v));
+    std::array<Real, lanes> values{};
+    values[lane] = lane % 2 == 0 ? Real(NAN) : Real(1e-300);
+    CHECK(any_nonzero(load<Pair>(values.data())));
   }
 }
 
 TEST_CASE("Lanes: square roots are correctly rounded in every lane", "[kernels]") {
   for (Real x : {Real(0), Real(2), Real(0.1), Real(1e-200), Real(7e150)}) {
     CHECK(square_root(x) == std::sqrt(x));
-    CHECK(square_root(Lanes(x))[lanes - 1] == std::sqrt(x));
+    for (std::size_t lane = 0; lane < lanes; ++lane) CHECK(square_root(Pair(x))[lane] == std::sqrt(x));
   }
 }
 

@@ -104,9 +104,16 @@ TEST_CASE("Bad effects: rows for each body, windows and pivots", "[check]") {
 
 TEST_CASE("Bad effects: a particle at its own pivot has no inertia about it", "[check]") {
   BodyGroup group = particles("p", 2);
-  const std::vector<Problem> found = check(scene_of({group}, {effect("pivot", {{"point", group.position[1]}})}));
-  REQUIRE(found.size() == 1);
-  CHECK(found[0].path == "effects[0].point");
+  const auto problem = [&](const Value& point) {
+    const std::vector<Problem> found = check(scene_of({group}, {effect("pivot", {{"point", point}})}));
+    return found.size() == 1 ? found[0] : Problem{};
+  };
+  CHECK(problem(group.position[1]).path == "effects[0].point");
+  CHECK(problem(std::vector<Vector3d>{{9, 9, 9}, group.position[1]}).path == "effects[0].point");
+  CHECK(contains(problem(std::vector<Vector3d>{}).message, "has 0 rows"));
+  group.position.resize(1);
+  group.mass = {1, 2};
+  CHECK(problem(std::vector<Vector3d>{{9, 9, 9}, group.position[0]}).path == "effects[0].point");
 }
 
 TEST_CASE("Bad options: each is named", "[check]") {

@@ -175,9 +175,9 @@ TEST_CASE("Structure: particles carry no orientation beside spinning balls and b
   CHECK(columns_of(all, "p") == Words{"position 3", "velocity 3"});
   CHECK(columns_of(all, "s") == Words{"angular_momentum 3", "position 3", "velocity 3"});
   CHECK(columns_of(all, "b") == Words{"angular_momentum 3", "orientation 4", "position 3", "velocity 3"});
-  const std::size_t rows = 32 + 48 + 32;  // each group padded to 16
+  const std::size_t rows = 32 + 64 + 32;  // each group padded to 32
   CHECK(all.column_bytes == 8 * (6 * rows + 3 * (32 + 32) + 4 * 32));
-  CHECK(World(scene).view<double>("orientation")[0].size() == 32);
+  CHECK(World(scene).view<double>("orientation")[0].size() == 20);
 }
 
 TEST_CASE("Structure: equal constants are no column, different ones are", "[structure]") {

@@ -71,6 +71,19 @@ TEST_CASE("Views: are the live columns, in place from step to step", "[views]") 
   CHECK(*place == world.body(7).position.z());
 }
 
+TEST_CASE("Views: end with the last body", "[views]") {
+  const World one(scene_of({particles("p", 5)}, {}));
+  CHECK(one.view<double>("position")[0].size() == 5);
+  const World none(scene_of({particles("p", 0)}, {}));
+  CHECK(none.view<double>("position")[0].empty());
+  const World several(three_groups());
+  const View<double> x = several.view<double>("position"), q = several.view<double>("orientation");
+  std::size_t last = 0;
+  for (std::size_t id = 0; id < several.body_count(); ++id) last = std::max(last, several.row_of(id));
+  CHECK(x.first_row + x[0].size() == last + 1);
+  CHECK(q.first_row + q[0].size() == last + 1);
+}
+
 TEST_CASE("Views: ids are in the order of the scene, rows each body's own", "[views]") {
   const World world(three_groups(), {.copies = 2});
   REQUIRE(world.body_count() == 56);

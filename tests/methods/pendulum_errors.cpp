@@ -41,7 +41,6 @@ double error_at_10(const std::string& integrator, int n) {
 
 /// The same force as the engine's families see one, with its derivative: user effects have none.
 struct SineForces {
-  static constexpr bool read_position = true;
   f64::Loads<double> loads(const f64::Body<double>& b) const { return {{-9.81 * maths::sin(b.position.x), 0, 0}, {}}; }
   f64::Loads<double> load_rates(const f64::Body<double>& b, const f64::Acceleration<double>&) const {
     return {{-9.81 * maths::cos(b.position.x) * b.velocity.x, 0, 0}, {}};
@@ -57,11 +56,7 @@ double taylor_error_at_10(int n) {
   f64::State<Point, double> state{};
   state.y[0] = pi / 2;
   for (int step = 0; step < n; ++step) {
-    double trial[Point::size];
-    f64::LocalRates<Point, double> rates;
-    f64::Taylor::prepare(method, 0, c, state, rates, trial);
-    f64::evaluate<Point>(SineForces{}, c, trial, rates.values[0]);
-    f64::Taylor::finish(method, c, SineForces{}, rates, state);
+    f64::whole_step<f64::Taylor>(method, c, SineForces{}, state);
   }
   return error_of(state.y[0], state.y[3]);
 }

@@ -96,7 +96,8 @@ void World::restore(const Snapshot& snapshot) {
     throw SceneError("restore", "the snapshot is of another scene, number of copies or precision");
   }
   for_each_array([&](Column& column, int c) {
-    std::memcpy(column.at(c, column.first_row), snapshot.columns[count].data(), snapshot.columns[count].size());
+    const std::vector<std::byte>& from = snapshot.columns[count];
+    if (!from.empty()) std::memcpy(column.at(c, column.first_row), from.data(), from.size());
   });
   for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].motion = static_cast<MotionKind>(snapshot.motions[g]);
   counters_ = snapshot.counters;

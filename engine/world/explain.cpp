@@ -117,8 +117,8 @@ struct PassWriter {
   }
 
   void fused() {
-    const double flops = method.phases * (motion.flops + effect_flops()) +
-                         2.0 * size * (count.stages + count.weights) + size - left_out();
+    const double flops = method.phases * (motion.flops + effect_flops()) + 2.0 * size * (count.stages + count.weights) +
+                         size - left_out();
     add("fused_step", with_carry(state_names(group.motion)), with_carry(written()),
         motion.reads + motion.writes + 2 * carried(), flops, 1, reason);
   }

@@ -10,7 +10,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include <optional>
+#include <mutex>
 #else
 #include <condition_variable>
 #include <cstdint>
@@ -27,17 +27,27 @@ void run_range(std::size_t first, std::size_t last, FunctionRef<void(std::size_t
   for (std::size_t i = first; i < last; ++i) task(i);
 }
 
+#ifdef BALLPARK_TBB
+/// TBB makes no more workers than there are cores unless told so, and of several limits the smallest counts: one limit
+/// for the process, which only grows.
+void allow(int threads) {
+  using tbb::global_control;
+  static std::mutex mutex;
+  static std::unique_ptr<global_control> limit;
+  const auto wanted = static_cast<std::size_t>(threads);
+  const std::lock_guard lock(mutex);
+  if (wanted <= global_control::active_value(global_control::max_allowed_parallelism)) return;
+  limit.reset();
+  limit = std::make_unique<global_control>(global_control::max_allowed_parallelism, wanted);
+}
+#endif
+
 }  // namespace
 
 #ifdef BALLPARK_TBB
 
 struct Workers::Pool {
-  explicit Pool(int threads) : arena(threads) {
-    // TBB makes no more workers than there are cores unless told so; told less, it would hold back the caller's own.
-    if (threads > tbb::this_task_arena::max_concurrency()) {
-      more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    }
-  }
+  explicit Pool(int threads) : arena(threads) { allow(threads); }
   void run(int, std::size_t count, FunctionRef<void(std::size_t)> task) {
     arena.execute([&] {
       tbb::parallel_for(
@@ -46,7 +56,6 @@ struct Workers::Pool {
           tbb::static_partitioner{});
     });
   }
-  std::optional<tbb::global_control> more;
   tbb::task_arena arena;
 };
 

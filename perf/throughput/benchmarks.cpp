@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "perf/throughput/neighbours.h"
 #include "perf/throughput/scenes.h"
 
 namespace ballpark::perf {
@@ -145,7 +146,7 @@ Comparison sizes_and_targets(const Settings& settings) {
 
 const std::vector<Benchmark>& benchmarks() {
   static const std::vector<Benchmark> all = {
-      {"methods", methods}, {"effects", effect_prices}, {"sizes", sizes_and_targets}};
+      {"methods", methods}, {"effects", effect_prices}, {"sizes", sizes_and_targets}, {"neighbours", neighbours}};
   return all;
 }
 

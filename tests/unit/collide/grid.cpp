@@ -155,6 +155,23 @@ TEST_CASE("Grid: touching balls on the borders of cells are near, with and witho
   }
 }
 
+TEST_CASE("Grid: balls a reach apart are near wherever the cells begin, along every axis", "[collide]") {
+  Numbers numbers(10);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Scene line;
+    line.one_radius = Real(0.5);
+    for (int i = 0; i < 1000; ++i) {
+      const Real start = static_cast<Real>(3 * i) + numbers.between(0, 1);
+      for (const Real at : {start, start + 1 - Real(1e-12)}) {
+        Real x[3] = {};
+        x[axis] = at;
+        line.add(x[0], x[1], x[2]);
+      }
+    }
+    CHECK(agrees(line) == 1000);
+  }
+}
+
 TEST_CASE("Grid: pairs equal brute force in periodic boxes, thin ones and unwrapped positions too", "[collide]") {
   for (const double thin : {8.0, 4.0, 3.0, 2.1, 2.0}) {  // cells of 1: 8 to 2 along z
     for (const bool wrapped : {true, false}) {

@@ -44,6 +44,7 @@ struct Location {
 
 struct SceneFile {
   std::string path;
+  std::vector<std::string> body_files;  ///< what `file` of the body groups named, where it was read
   Scene scene;
   std::vector<OutputRequest> outputs;
   std::vector<Expectation> expectations;

@@ -56,7 +56,8 @@ inline constexpr const char* run =
     "[T,N,4] and angular_velocity [T,N,3]; stored, not compressed. .csv has a row per\n"
     "time and body.\n"
     "--state has a row per body, 17 digits. Paths are relative to the current folder;\n"
-    "files appear whole at the end, and Ctrl-C ends a run early with valid files.\n";
+    "files appear whole at the end. After Ctrl-C series hold the frames so far, and\n"
+    "--state is not written.\n";
 
 inline constexpr const char* explain =
     "Example:\n"

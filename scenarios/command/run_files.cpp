@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "scenarios/command/csv.h"
 #include "scenarios/command/errors.h"
 #include "scenarios/command/scene_options.h"
@@ -13,11 +11,14 @@ namespace ballpark::command {
 namespace {
 
 /// Two results in one file would overwrite each other.
-void refuse_shared(std::vector<std::string> paths) {
-  std::sort(paths.begin(), paths.end());
-  const auto twice = std::adjacent_find(paths.begin(), paths.end());
-  if (twice != paths.end())
-    throw UsageError(fmt::format("'{}' would be written twice: give each its own file", *twice));
+void refuse_shared(const std::vector<std::string>& paths) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (same_file(paths[i], paths[j])) {
+        throw UsageError(fmt::format("'{}' would be written twice: give each its own file", paths[i]));
+      }
+    }
+  }
 }
 
 std::optional<scenes::OutputRequest> requested_series(const Arguments& arguments) {
@@ -41,6 +42,7 @@ RunFiles::RunFiles(scenes::SceneFile& scene_file, const Arguments& arguments) {
   if (arguments.state) paths.push_back(*arguments.state);
   if (arguments.json && !arguments.json->empty()) paths.push_back(*arguments.json);
   refuse_shared(paths);
+  refuse_inputs(paths, scene_file);
   for (const scenes::OutputRequest& output : scene_file.outputs) {
     series_.push_back({output.file, "", open_frame_file(output.file)});
   }

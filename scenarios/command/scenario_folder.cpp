@@ -36,7 +36,9 @@ std::vector<Scenario> scenarios() {
   const fs::path folder = scenario_folder();
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const fs::path& file = entry.path();
-    if (file.extension() == ".toml") found.push_back({file.stem().string(), file.string()});
+    std::error_code unknown;
+    if (file.extension() == ".toml" && entry.is_regular_file(unknown))
+      found.push_back({file.stem().string(), file.string()});
   }
   if (error) throw UsageError(fmt::format("no scenarios in '{}': {}", folder.string(), error.message()));
   std::sort(found.begin(), found.end(), [](const Scenario& a, const Scenario& b) { return a.name < b.name; });

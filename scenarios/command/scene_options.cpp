@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "ballpark/catalogue.h"
@@ -104,7 +105,28 @@ scenes::SceneFile load_scene(const Arguments& arguments) {
     }
     overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
-  return scenes::load(scene_path(arguments.name), overrides);
+  scenes::SceneFile file = scenes::load(scene_path(arguments.name), overrides);
+  if (arguments.json && !arguments.json->empty()) refuse_inputs({*arguments.json}, file);
+  return file;
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code failed_a, failed_b;
+  const auto real_a = std::filesystem::weakly_canonical(std::filesystem::absolute(a), failed_a);
+  const auto real_b = std::filesystem::weakly_canonical(std::filesystem::absolute(b), failed_b);
+  return failed_a || failed_b ? a == b : real_a == real_b;
+}
+
+void refuse_inputs(const std::vector<std::string>& paths, const scenes::SceneFile& file) {
+  std::vector<std::string> inputs = file.body_files;
+  inputs.push_back(file.path);
+  for (const std::string& path : paths) {
+    for (const std::string& input : inputs) {
+      if (same_file(path, input)) {
+        throw UsageError(fmt::format("'{}' is what the scene is read from: writing it would lose it", path));
+      }
+    }
+  }
 }
 
 std::size_t body_count(const Scene& scene) {

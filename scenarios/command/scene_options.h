@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ballpark/options.h"
 #include "ballpark/report.h"
@@ -20,6 +21,11 @@ double real_number(const std::string& option, const std::string& text, bool zero
 
 /// The scene with its overrides. Throws UsageError or SceneFileError.
 scenes::SceneFile load_scene(const Arguments& arguments);
+
+/// Do both names stand for one file, whatever they are spelt like? A file need not exist.
+bool same_file(const std::string& a, const std::string& b);
+/// Throws UsageError if one of the paths is what the scene was read from: writing it would lose it.
+void refuse_inputs(const std::vector<std::string>& paths, const scenes::SceneFile& file);
 
 /// Bodies of one copy.
 std::size_t body_count(const Scene& scene);

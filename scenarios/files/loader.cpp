@@ -74,6 +74,7 @@ void fill_from_files(Draft& draft, const std::filesystem::path& folder, Findings
     const std::string path = fmt::format("bodies[{}]", i);
     try {
       fill(body, rows_from_file(folder / body.file), path, findings);
+      draft.file.body_files.push_back((folder / body.file).string());
     } catch (const std::runtime_error& error) {
       findings.add({path + ".file", fmt::format("\"{}\": {}", printable(body.file), error.what())});
     }

@@ -192,6 +192,18 @@ class Run {
       list.push_back(fmt::format("output[{}].every = {} s is shorter than a step: one frame is written each step", i,
                                  *file_.outputs[i].every));
     }
+    const double end = run.duration * (1 - 1e-12);
+    for (std::size_t i = 0; i < file_.scene.impulses.size(); ++i) {
+      const double at = file_.scene.impulses[i].at;
+      if (at >= end) list.push_back(fmt::format("impulse[{}].at = {} s is not before the end: it does not act", i, at));
+    }
+    for (std::size_t i = 0; i < file_.scene.effects.size(); ++i) {
+      const auto& parameters = file_.scene.effects[i].parameters;
+      const auto at = parameters.find("at");
+      if (at == parameters.end() || std::get<double>(at->second) < end) continue;
+      list.push_back(
+          fmt::format("effects[{}].at = {} s is not before the end: it does not act", i, std::get<double>(at->second)));
+    }
     if (world_.status().code != Status::Code::ok) list.push_back(world_.status().sentence);
     if (const std::size_t lost = world_.totals().non_finite_bodies; lost > 0) {
       list.push_back(fmt::format("{} of {} bodies are not finite; they are left out of energy and momentum", lost,

@@ -33,6 +33,23 @@ class Scenes(CommandTest):
         self.refused("run", odd, says="state.7.x")
         self.refused("check", odd, says="state.7.x")
 
+    def test_what_is_read_is_never_written(self):
+        self.write("rows.csv", "x,y,z\n0,0,1\n")
+        scene = self.write("kept.toml", BALL + '[[bodies]]\nname = "more"\nmass = 1.0\nfile = "rows.csv"\n')
+        (self.folder / "link.toml").symlink_to("kept.toml")
+        kept = {name: (self.folder / name).read_text() for name in ("kept.toml", "rows.csv")}
+        for path in ("kept.toml", "./kept.toml", "link.toml", "rows.csv"):
+            self.refused("run", scene, "--state", path, says="scene is read from")
+            self.refused("run", scene, "--json", path, says="scene is read from")
+            self.refused("check", scene, "--json", path, says="scene is read from")
+            self.refused("explain", scene, "--json", path, says="scene is read from")
+        self.refused("run", scene, "--state", "a.csv", "--json", "./a.csv", says="written twice")
+        self.assertEqual(kept, {name: (self.folder / name).read_text() for name in kept})
+
+    def test_what_comes_after_the_end_is_said(self):
+        late = self.write("late.toml", BALL + "[[impulse]]\nat = 5.0e9\nid = 0\nJ = [0, 0, 1]\n")
+        self.assertIn("does not act", self.call("run", late).stderr)
+
     def test_explain(self):
         text = self.call("explain", self.scene).stdout
         self.assertIn("fused", text)

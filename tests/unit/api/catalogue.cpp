@@ -12,6 +12,9 @@ TEST_CASE("Catalogue: every effect and integrator runs", "[api]") {
     for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
       Scene scene = scene_of({bricks("b", 3)}, {sample(description)});
       scene.run.integrator = integrator.name;
+      const bool differentiated = integrator.name != "taylor2" || description.has_force_derivative;
+      CHECK(check(scene).empty() == differentiated);
+      if (!differentiated) continue;
       World with(scene);
       scene.effects.clear();
       World without(scene);

@@ -99,6 +99,8 @@ TEST_CASE("the catalogue tells of every row once, with its order and evaluations
     world.step(7);
     CHECK(world.counters().force_evaluations == static_cast<std::uint64_t>(7 * told.evaluations));
   }
+  CHECK(names ==
+        std::set<std::string>{"euler", "midpoint", "heun", "rk4", "taylor2", "semi_implicit_euler", "velocity_verlet"});
 }
 
 TEST_CASE("stability limits are those of the methods' polynomials", "[methods]") {

@@ -1,5 +1,4 @@
 // The list of effects: descriptions that a stranger can use, and one row of a vector for an effect that has one row.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -14,12 +13,17 @@ using namespace ballpark::BALLPARK_PRECISION;
 
 namespace {
 
-/// Effects whose abilities the tests below know; others may come.
-bool of_this_table(const std::string& name) {
-  static const std::set<std::string> known = {"gravity",         "linear_drag", "quadratic_drag", "magnus", "spring",
-                                              "central_gravity", "force",       "torque",         "pivot"};
-  return known.count(name) == 1;
-}
+/// What each effect offers beside its force. A new effect is a new line.
+struct Abilities {
+  bool energy, force_derivative, window_and_rows, stiffness;
+};
+const std::map<std::string, Abilities> abilities = {
+    {"gravity", {true, true, false, false}},        {"linear_drag", {false, true, false, true}},
+    {"quadratic_drag", {false, true, false, true}}, {"magnus", {false, true, false, false}},
+    {"spring", {true, true, false, true}},          {"central_gravity", {true, true, false, false}},
+    {"force", {false, true, true, false}},          {"torque", {false, true, true, false}},
+    {"pivot", {false, true, false, false}},
+};
 
 }  // namespace
 
@@ -38,22 +42,22 @@ TEST_CASE("Effect list: every effect tells its name, sentence, source, parameter
       CHECK_FALSE(parameter.doc.empty());
     }
   }
-  CHECK(std::count_if(names.begin(), names.end(), of_this_table) == 9);
+  CHECK(names.size() == abilities.size());
+  for (const auto& [name, offered] : abilities) CHECK(names.count(name) == 1);
 }
 
 TEST_CASE("Effect list: what an effect offers is found in its code", "[effects]") {
   for (const EffectInfo& info : local_effects()) {
     CAPTURE(info.description.name);
     const std::string& name = info.description.name;
-    if (!of_this_table(name)) continue;
-    const bool conserves = name == "gravity" || name == "spring" || name == "central_gravity";
-    const bool applied = name == "force" || name == "torque";
-    CHECK(info.description.has_energy == conserves);
-    CHECK((info.energy != nullptr) == conserves);
-    CHECK(info.description.has_force_derivative);
-    CHECK((info.window != nullptr) == applied);
-    CHECK((info.rows != nullptr) == applied);
-    CHECK((info.stiffness != nullptr) == (name == "spring" || name.ends_with("_drag")));
+    REQUIRE(abilities.count(name) == 1);
+    const Abilities& owed = abilities.at(name);
+    CHECK(info.description.has_energy == owed.energy);
+    CHECK((info.energy != nullptr) == owed.energy);
+    CHECK(info.description.has_force_derivative == owed.force_derivative);
+    CHECK((info.window != nullptr) == owed.window_and_rows);
+    CHECK((info.rows != nullptr) == owed.window_and_rows);
+    CHECK((info.stiffness != nullptr) == owed.stiffness);
     CHECK(local_effects()[static_cast<std::size_t>(local_effect_index(name))].description.name == name);
   }
   CHECK(local_effect_index("pivot") == -1);

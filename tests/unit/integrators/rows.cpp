@@ -82,9 +82,8 @@ TEST_CASE("Rows: each has a name, a sentence and a source of its own", "[integra
     CHECK(row.phases <= max_phases);
     CHECK(find_row(row.name) == &row);
   }
-  for (const char* owed : {"euler", "midpoint", "heun", "rk4", "taylor2", "semi_implicit_euler", "velocity_verlet"}) {
-    CHECK(names.count(owed) == 1);
-  }
+  CHECK(names ==
+        std::set<std::string>{"euler", "midpoint", "heun", "rk4", "taylor2", "semi_implicit_euler", "velocity_verlet"});
   CHECK(find_row("rk5") == nullptr);
 }
 

@@ -17,7 +17,24 @@ const std::vector<IntegratorDescription>& integrators() {
 }
 
 const std::vector<NamedDescription>& shapes() {
-  static const std::vector<NamedDescription> all = {{"sphere", "a solid ball: inertia 2/5 m R^2"}};
+  static const std::vector<NamedDescription> all = {{"sphere", "of bodies: a solid ball, inertia 2/5 m R^2"}};
+  return all;
+}
+
+const std::vector<NamedDescription>& boundary_shapes() {
+  static const std::vector<NamedDescription> all = {
+      {"plane", "of boundaries: an infinite plane through a point, with bodies on the side of its normal"},
+      {"box", "of boundaries: six faces along the axes, with bodies inside (faces may be left open) or outside"},
+      {"tube", "of boundaries: a round surface about an axis, with bodies inside; its ends are open"},
+      {"periodic", "of boundaries: no surface: space repeats after these lengths"}};
+  return all;
+}
+
+const std::vector<NamedDescription>& contacts() {
+  static const std::vector<NamedDescription> all = {{"impulse",
+                                                     "hard contact with restitution and Coulomb friction: generalised "
+                                                     "reflections, then a velocity-level solver; large "
+                                                     "steps, first order whatever the integrator"}};
   return all;
 }
 

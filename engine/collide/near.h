@@ -27,6 +27,12 @@ inline Real nearest_image(Real distance, Real period) {
   return period > 0 ? distance - period * std::floor(distance / period + Real(0.5)) : distance;
 }
 
+inline Vector3<Real> nearest_image(const Vector3<Real>& apart, const Period& period) {
+  if (!period.any()) return apart;
+  return {nearest_image(apart.x, period.length[0]), nearest_image(apart.y, period.length[1]),
+          nearest_image(apart.z, period.length[2])};
+}
+
 /// `reach`: sum of the radii and the margin.
 BALLPARK_INLINE bool within(Real dx, Real dy, Real dz, Real reach) {
   return dx * dx + dy * dy + dz * dz <= reach * reach;

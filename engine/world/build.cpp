@@ -26,6 +26,7 @@ std::string spin_user(const Scene& scene, const BodyGroup& group, const std::vec
                         (offset != effect.parameters.end() && std::get<Vector3d>(offset->second) != Vector3d::Zero()));
     if (info.reads("spin") || turns) return effect.kind;
   }
+  if (has_friction(scene, group)) return "contact friction";
   for (const UserEffect& user : users) {
     if (user.needs_rotation && acts_on({.kind = {}, .groups = user.groups, .parameters = {}}, group)) return user.name;
   }
@@ -65,6 +66,7 @@ void Builder::build() {
   }
   add_blocks();
   add_events();
+  add_contacts();
 }
 
 void Builder::check_options() {

@@ -7,6 +7,9 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
+/// Does contact friction turn bodies of this group?
+bool has_friction(const Scene& scene, const BodyGroup& group);
+
 class Builder {
  public:
   Builder(World& world, const Scene& scene, const Options& options);
@@ -27,6 +30,11 @@ class Builder {
   void add_scratch(Group& group);
   void add_blocks();
   void add_events();
+  // build_contacts.cpp
+  void add_contacts();
+  void describe_contacts(const std::vector<std::string>& materials);
+  void add_walls(const std::vector<std::string>& materials);
+  void add_slots(const std::vector<std::string>& materials);
   void choose_path();
 
   /// A constant of the group: a value if it is equal for all bodies, else a column.

@@ -115,6 +115,7 @@ std::vector<Problem> check(const Scene& scene) {
   check_run(scene.run, problems);
   check_bodies(scene, problems);
   check_effects(scene, problems);
+  check_contacts(scene, problems);
   check_impulses(scene, problems);
   return problems.all();
 }

@@ -53,6 +53,13 @@ const EffectDescription* find_effect(const std::string& kind);
 
 void check_bodies(const Scene& scene, Problems& problems);
 void check_effects(const Scene& scene, Problems& problems);
+void check_contacts(const Scene& scene, Problems& problems);
+/// Do bodies with a shape touch in this scene?
+bool touches(const Scene& scene);
+/// Of all bodies with a shape and all boundaries, each once; "" is the default material.
+std::vector<std::string> materials_in_use(const Scene& scene);
+/// Restitution and friction of two materials.
+Material law_between(const Scene& scene, const std::string& a, const std::string& b);
 
 /// Row `i` of a list of none, one or n rows.
 template <class T>

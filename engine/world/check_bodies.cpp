@@ -68,12 +68,12 @@ struct GroupCheck {
     if (!group.generate) return;
     const Generate& g = *group.generate;
     const auto at = [this](const char* key) { return path("generate") + "." + key; };
-    if (!problems.known(at("kind"), "generator", g.kind, {"lattice", "random"})) return;
+    if (!problems.known(at("kind"), "generator", g.kind, {"lattice", "random", "rack"})) return;
     const bool lattice = g.kind == "lattice";
     if (g.count.size() != (lattice ? 3u : 1u)) {
       problems.add(at("count"), lattice ? "expected three numbers, [nx, ny, nz]" : "expected one number");
     }
-    if (lattice) {
+    if (lattice || g.kind == "rack") {
       problems.positive(at("spacing"), g.spacing, "m");
       problems.finite(at("origin"), g.origin, "m");
     } else if (problems.finite(at("lower"), g.lower, "m") && problems.finite(at("upper"), g.upper, "m") &&
@@ -162,6 +162,7 @@ std::size_t body_count(const BodyGroup& group) {
       if (n != 0 && made > std::size_t(-1) / n) return std::size_t(-1);
       made *= n;
     }
+    if (group.generate->kind == "rack") return made < most_bodies ? made * (made + 1) / 2 : made;
     return made;
   }
   return group.position.empty() && most <= 1 ? 0 : most;

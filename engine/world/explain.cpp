@@ -172,7 +172,7 @@ GroupReport report(const Group& group, const std::vector<UserEffect>& users) {
   return r;
 }
 
-std::vector<std::string> what_is_off(const std::vector<Group>& groups, bool fused, bool users) {
+std::vector<std::string> what_is_off(const std::vector<Group>& groups, bool fused, bool users, bool contacts) {
   std::vector<std::string> off;
   const auto none = [&](auto has) { return std::none_of(groups.begin(), groups.end(), has); };
   if (none([](const Group& g) { return g.turns(); })) off.push_back("orientation");
@@ -180,9 +180,9 @@ std::vector<std::string> what_is_off(const std::vector<Group>& groups, bool fuse
   if (none([](const Group& g) { return g.spins(); })) off.push_back("angular momentum");
   if (fused) off.push_back("rate columns and passes for each stage");
   if (!users) off.push_back("force sums");
-  off.push_back("grid");
-  off.push_back("pairs");
-  off.push_back("contacts");
+  if (!contacts) {
+    for (const char* part : {"grid", "pairs", "contacts"}) off.push_back(part);
+  }
   for (std::size_t e = 0; e < LocalEffects::count; ++e) {
     if (none([e](const Group& g) { return !g.effects[e].empty(); })) {
       off.push_back(local_effects()[e].description.name);
@@ -214,6 +214,7 @@ Explanation World::explain() const {
     PassWriter writer{group, method_, columns_, path_reason_, all.passes};
     fused_ ? writer.fused() : writer.staged();
   }
+  if (contacts_) contacts_->explain(groups_, all);
   for (const Column& column : columns_.all()) {
     const ColumnInfo& info = column.info;
     for (const Group& group : groups_) {
@@ -230,7 +231,8 @@ Explanation World::explain() const {
       all.flops_per_body_step += share * pass.flops_per_body;
     }
   }
-  all.off = what_is_off(groups_, fused_, !users_.empty());
+  all.off = what_is_off(groups_, fused_, !users_.empty(), contacts_ != nullptr);
+
   return all;
 }
 

@@ -66,8 +66,14 @@ std::uint64_t World::structure() const {
 }
 
 Snapshot World::snapshot() const {
-  Snapshot copy{
-      .time = time(), .structure = structure(), .motions = {}, .counters = counters_, .status = status_, .columns = {}};
+  Snapshot copy{.time = time(),
+                .structure = structure(),
+                .motions = {},
+                .counters = counters(),
+                .status = status_,
+                .columns = {},
+                .contacts = {}};
+  if (contacts_) copy.contacts = contacts_->solver.save();
   for (const Group& group : groups_) copy.motions.push_back(static_cast<int>(group.motion));
   for (const Column& column : columns_.all()) {
     if (column.info.role != Role::state) continue;
@@ -95,12 +101,16 @@ void World::restore(const Snapshot& snapshot) {
   if (!fits || count != snapshot.columns.size()) {
     throw SceneError("restore", "the snapshot is of another scene, number of copies or precision");
   }
+  if (contacts_ && !contacts_->solver.restore(snapshot.contacts)) {
+    throw SceneError("restore", "the contacts of the snapshot do not fit this scene");
+  }
   for_each_array([&](Column& column, int c) {
     const std::vector<std::byte>& from = snapshot.columns[count];
     if (!from.empty()) std::memcpy(column.at(c, column.first_row), from.data(), from.size());
   });
   for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].motion = static_cast<MotionKind>(snapshot.motions[g]);
   counters_ = snapshot.counters;
+  if (contacts_) contacts_->set_counters(snapshot.counters);
   status_ = snapshot.status;
   const double now = time() - 1e-9 * step_;
   next_event_ = static_cast<std::size_t>(

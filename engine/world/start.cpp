@@ -37,6 +37,13 @@ Vector3<Wide> generated_position(const Generate& g, std::size_t group, std::size
                                  static_cast<Wide>(i / nx / ny)};
     return wide(g.origin) + Wide(g.spacing) * steps;
   }
+  if (g.kind == "rack") {
+    std::size_t row = 0, before = 0;  // bodies of earlier rows
+    while (before + row + 1 <= i) before += ++row;
+    constexpr Wide root3_over_2 = 0.866025403784438646763723170753L;
+    const Wide across = static_cast<Wide>(i - before) - static_cast<Wide>(row) / 2;
+    return wide(g.origin) + Wide(g.spacing) * Vector3<Wide>{root3_over_2 * static_cast<Wide>(row), across, 0};
+  }
   const Vector3<Wide> u = random_vector(seed, group, i, Purpose::position), lower = wide(g.lower);
   const Vector3<Wide> half = Wide(0.5) * (wide(g.upper) - lower);
   return lower + half + scaled(half, u);

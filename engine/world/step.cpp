@@ -45,16 +45,44 @@ void World::one_step() {
   ++counters_.steps;
 }
 
-/// Smooth motion over h, from the time `from`.
+/// Motion over h, from the time `from`.
 void World::advance(double from, double h) {
   activate_windows(from, h);
-  const Method method = h == step_ ? method_ : method_for(*row_, h);
+  if (contacts_) return contact_substeps(from, h);
+  smooth_motion(h == step_ ? method_ : method_for(*row_, h), from);
+}
+
+void World::smooth_motion(const Method& method, double from) {
   if (fused_) {
     fused_pass(method);
   } else {
     staged_passes(method, from);
   }
   counters_.force_evaluations += static_cast<std::uint64_t>(method.phases);
+}
+
+/// contacts found -> for each substep: smooth motion as a trial -> impacts reflected -> solve -> relax
+void World::contact_substeps(double from, double h) {
+  const int count = contacts_->substeps;
+  const double substep = h / count;
+  const Method method = h == step_ ? contact_method_ : method_for(*row_, substep);
+  for (int i = 0; i < count; ++i) {
+    const double at = from + i * substep;
+    timed("read_contacts", [&] { contacts_->read_start(groups_, workers_); });
+    if (i == 0) timed("find_contacts", [&] { contacts_->solver.find(at, static_cast<Real>(h), workers_); });
+    smooth_motion(method, at);
+    timed("read_contacts", [&] { contacts_->read_trial(groups_, workers_); });
+    timed("reflect_impacts", [&] { contacts_->solver.reflect(at, static_cast<Real>(substep), workers_); });
+    timed("solve_contacts", [&] { contacts_->solver.solve(workers_); });
+    timed("relax_contacts", [&] { contacts_->solver.relax(workers_); });
+    timed("write_contacts", [&] { contacts_->write(groups_, workers_); });
+  }
+}
+
+Counters World::counters() const {
+  Counters all = counters_;
+  if (contacts_) contacts_->add_counters(all);
+  return all;
 }
 
 void World::activate_windows(double from, double h) {
@@ -72,16 +100,22 @@ void World::activate_windows(double from, double h) {
   }
 }
 
+/// Runs the action, timed if asked for.
+template <class Action>
+void World::timed(const char* name, Action action) {
+  const double begin = profiling_ ? seconds_now() : 0;
+  action();
+  if (profiling_) record(name, seconds_now() - begin);
+}
+
 /// One parallel sweep over all blocks, timed if asked for.
 template <class Task>
 void World::pass(const char* name, Task task) {
-  const double begin = profiling_ ? seconds_now() : 0;
   const auto run = [&](std::size_t b) {
     const Block& block = blocks_[b];
     task(groups_[block.group], block);
   };
-  workers_.for_each(blocks_.size(), run, small_ ? 1 : threads());
-  if (profiling_) record(name, seconds_now() - begin);
+  timed(name, [&] { workers_.for_each(blocks_.size(), run, small_ ? 1 : threads()); });
 }
 
 const FamilyKernels& World::kernels_of(const Group& group, const Method& method) const {

@@ -81,6 +81,7 @@ Totals World::totals() const {
   });
   Totals sum;
   for (const Totals& part : parts) add(part, sum);
+  if (contacts_) sum.bodies_outside = contacts_->count_outside(groups_, time());
   return sum;
 }
 

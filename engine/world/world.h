@@ -10,6 +10,7 @@
 #include "engine/core/workers.h"
 #include "engine/integrators/rows.h"
 #include "engine/store/columns.h"
+#include "engine/world/contact_step.h"
 #include "engine/world/inertia.h"
 #include "engine/world/interface.h"
 #include "engine/world/kernel_table.h"
@@ -64,7 +65,7 @@ class World : public WorldInterface {
   double step_size() const override { return step_; }
   double time() const override { return static_cast<double>(counters_.steps) * step_; }
   const Status& status() const override { return status_; }
-  Counters counters() const override { return counters_; }
+  Counters counters() const override;
   std::size_t body_count() const override { return per_copy_ * copies_; }
   std::size_t row_of(std::size_t id) const override;
   RawView view(const std::string& column) const override;
@@ -94,12 +95,16 @@ class World : public WorldInterface {
   // step.cpp
   void one_step();
   void advance(double from, double h);
+  void smooth_motion(const Method& method, double from);
+  void contact_substeps(double from, double h);
   void activate_windows(double from, double h);
   const FamilyKernels& kernels_of(const Group& group, const Method& method) const;
   void fused_pass(const Method& method);
   void staged_passes(const Method& method, double from);
   void user_pass(double time);
   void run_users(const Group& group, const Block& block, double time);
+  template <class Action>
+  void timed(const char* name, Action action);
   template <class Task>
   void pass(const char* name, Task task);
   void record(const char* name, double seconds);
@@ -123,6 +128,8 @@ class World : public WorldInterface {
   std::size_t next_event_ = 0;
   const Row* row_ = nullptr;
   Method method_;
+  Method contact_method_;                  ///< of a substep between contacts
+  std::unique_ptr<ContactStep> contacts_;  ///< none: bodies do not touch
   double step_ = 0;
   bool fused_ = true;
   std::string path_reason_;

@@ -56,6 +56,8 @@ struct NamedDescription {
 const std::vector<EffectDescription>& effects();
 const std::vector<IntegratorDescription>& integrators();
 const std::vector<NamedDescription>& shapes();
+const std::vector<NamedDescription>& boundary_shapes();
+const std::vector<NamedDescription>& contacts();  ///< contact formulations
 const std::vector<NamedDescription>& rotations();
 const std::vector<NamedDescription>& targets();  ///< instruction sets, slowest first
 

@@ -23,7 +23,18 @@ const char* name(Status::Code code);
 
 struct Counters {
   std::uint64_t steps = 0;
-  std::uint64_t force_evaluations = 0;  ///< evaluations of all forces (not per body)
+  std::uint64_t force_evaluations = 0;              ///< evaluations of all forces (not per body)
+  std::uint64_t pairs = 0;                          ///< candidates of the broad phase, over all steps
+  std::uint64_t contacts = 0;                       ///< contacts that bore a load, over all substeps
+  std::uint64_t peak_pairs = 0, peak_contacts = 0;  ///< the most at one time
+  std::uint64_t impacts = 0;                        ///< contacts that were reflected
+  std::uint64_t impact_rounds = 0;                  ///< generalised reflections of one substep, the most
+  std::uint64_t unfinished_impacts = 0;             ///< left to the solver, without restitution, after the last round
+  std::uint64_t held_back = 0;  ///< motions cut short so that no contact is missed: those bodies lag behind
+  std::uint64_t missed = 0;     ///< substeps in which an overlap could not be prevented
+  int colours = 0;              ///< of the contact graph, the most
+  double max_penetration = 0;   ///< deepest overlap at the start of a substep [m]
+  double residual = 0;          ///< largest error in a normal speed that the last sweep of the run so far found [m/s]
 };
 
 /// Sums over all bodies, in double whatever the world's precision.
@@ -35,6 +46,7 @@ struct Totals {
   Vector3d angular_momentum = Vector3d::Zero();  ///< about the origin [kg m^2/s]
   double angular_momentum_scale = 0;             ///< sum of |l| over bodies
   std::size_t non_finite_bodies = 0;             ///< left out of the sums
+  std::size_t bodies_outside = 0;                ///< centres beyond a boundary that should keep them
   double energy() const { return kinetic + potential; }
 };
 
@@ -62,6 +74,18 @@ struct GroupReport {
   std::vector<std::string> constants;  ///< "mass = 0.17 kg": equal over the group, no column
 };
 
+/// Contacts of a scene. `kind` is "" if bodies do not touch.
+struct ContactReport {
+  std::string kind;
+  int substeps = 0, iterations = 0, relax_iterations = 0;
+  double margin = 0;              ///< [radii]
+  std::size_t bodies = 0;         ///< that may touch
+  std::size_t walls = 0;          ///< faces of boundaries
+  bool friction = false;          ///< some pair of materials has it
+  std::vector<std::string> laws;  ///< "ball on cloth: restitution 0.5, friction 0.2"
+  std::size_t bytes = 0;          ///< of grid, pairs and contacts as they are now [B]
+};
+
 /// What exists for a scene, and why: what `ballpark explain` prints.
 struct Explanation {
   std::string path;  ///< "fused" or "staged"
@@ -77,6 +101,7 @@ struct Explanation {
   double bytes_per_body_step = 0;     ///< mean over bodies
   double flops_per_body_step = 0;
   std::size_t column_bytes = 0;  ///< allocated in all [B]
+  ContactReport contact;
 };
 
 /// Time spent in one pass since profiling was switched on.

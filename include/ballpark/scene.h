@@ -26,10 +26,12 @@ enum class Precision { single_, double_, extended };
 
 /// Fills a group's rows at build. Deterministic: row i of copy k depends on (seed + k, group, i) alone.
 struct Generate {
-  std::string kind = {};  ///< "lattice": count rows, x fastest; "random": uniform in the box [lower, upper]
-  std::vector<std::size_t> count = {};          ///< lattice: [nx, ny, nz]; random: [n]
-  Vector3d origin = Vector3d::Zero();           ///< lattice: position of the first body [m]
-  double spacing = 0;                           ///< lattice: distance between neighbours [m], > 0
+  /// "lattice": count rows, x fastest; "random": uniform in the box [lower, upper]; "rack": a triangle in a plane of
+  /// constant z, row k of k bodies along y, rows along x
+  std::string kind = {};
+  std::vector<std::size_t> count = {};          ///< lattice: [nx, ny, nz]; random: [n]; rack: [rows]
+  Vector3d origin = Vector3d::Zero();           ///< lattice, rack: position of the first body [m]
+  double spacing = 0;                           ///< lattice, rack: distance between neighbours [m], > 0
   Vector3d lower = Vector3d::Zero();            ///< random: lowest corner [m]
   Vector3d upper = Vector3d::Zero();            ///< random: highest corner [m]
   Vector3d velocity_spread = Vector3d::Zero();  ///< adds a uniform value in [-s, s] to each velocity component [m/s]
@@ -41,6 +43,7 @@ struct Generate {
 struct BodyGroup {
   std::string name = {};             ///< unique; how `--set` and effects address the group
   std::string shape = {};            ///< "" for particles or bodies with a given inertia; "sphere"
+  std::string material = {};         ///< a name of `Scene::materials`; none: restitution 1, friction 0
   std::vector<double> radius = {};   ///< [m], > 0; needed by a shape
   std::vector<double> mass = {};     ///< [kg], > 0; or density
   std::vector<double> density = {};  ///< [kg/m^3], > 0, with a shape
@@ -72,6 +75,53 @@ struct Impulse {
   Vector3d offset = Vector3d::Zero();  ///< point of application minus centre of mass [m], world axes
 };
 
+/// What two surfaces do when they touch. Of two different materials: the geometric mean of each value, unless a
+/// `MaterialPair` says otherwise.
+struct Material {
+  double restitution = 1;  ///< e in [0, 1]: speed of parting over speed of approach, along the normal
+  double friction = 0;     ///< Coulomb's mu >= 0
+};
+
+/// The law of two materials, instead of their mean.
+struct MaterialPair {
+  std::vector<std::string> between = {};  ///< two names of materials
+  double restitution = 1;
+  double friction = 0;
+};
+
+/// Displacement of a boundary: V t + A (sin(2 pi f t + phase) - sin(phase)).
+struct Motion {
+  Vector3d velocity = Vector3d::Zero();   ///< V [m/s]
+  Vector3d amplitude = Vector3d::Zero();  ///< A [m]
+  double frequency = 0;                   ///< f [Hz]
+  double phase = 0;                       ///< [rad]
+};
+
+/// What bodies bounce off or lie on, of infinite mass. Shapes: `boundary_shapes()` in catalogue.h.
+struct Boundary {
+  std::string name = {};               ///< how `--set` addresses it; may be empty
+  std::string shape = {};              ///< "plane", "box", "tube", "periodic"
+  Vector3d point = Vector3d::Zero();   ///< plane: on it; tube: on its axis; box, periodic: centre [m]
+  Vector3d normal = {0, 0, 1};         ///< plane: towards the bodies; tube: along its axis. Of any length > 0
+  Vector3d size = Vector3d::Zero();    ///< box: its edges; periodic: lengths after which space repeats, 0: open [m]
+  double radius = 0;                   ///< tube, whose ends are open [m]
+  std::string side = "inside";         ///< box: where the bodies are, "inside" or "outside"
+  std::vector<std::string> open = {};  ///< box from inside: faces left out, of "-x", "+x", "-y", "+y", "-z", "+z"
+  std::string material = {};
+  std::optional<Motion> motion = {};
+  Vector3d surface_velocity = Vector3d::Zero();  ///< of a conveyor: how the surface runs over the boundary [m/s]
+};
+
+/// How bodies with a shape touch.
+struct ContactSettings {
+  std::string kind = {};             ///< "": they do not; else a name of `contacts()`
+  int substeps = 1;                  ///< of a step, each with its own contact solve
+  int iterations = 12;               ///< Gauss-Seidel sweeps over all contacts that keep surfaces apart
+  int relax_iterations = 3;          ///< and that settle velocities
+  double margin = 0.2;               ///< contacts: surfaces that will pass each other at less than this many radii
+  double restitution_threshold = 0;  ///< slower approaches end at restitution 0 [m/s]
+};
+
 struct RunSettings {
   double duration = 0;                   ///< [s], >= 0
   double step = 0;                       ///< [s], > 0
@@ -90,6 +140,10 @@ struct Scene {
   std::vector<BodyGroup> bodies = {};
   std::vector<Effect> effects = {};
   std::vector<Impulse> impulses = {};
+  std::map<std::string, Material> materials = {};
+  std::vector<MaterialPair> material_pairs = {};
+  std::vector<Boundary> boundaries = {};
+  ContactSettings contact;
 };
 
 /// One thing wrong with a scene: `path` names the value ("bodies[0].mass", "run.step"), `message` says what it is,

@@ -92,6 +92,7 @@ struct RunReport {
   double time = 0;  ///< [s]
   Counters counters;
   std::string integrator;
+  std::string contact;      ///< kind of formulation; "" if bodies do not touch
   double step = 0;          ///< [s]
   double wall_seconds = 0;  ///< stepping only
   double body_steps_per_second = 0;

@@ -192,7 +192,7 @@ Description describe_scene_file() {
   std::vector<std::string> names{"scene"};
   for (const auto& entry : effects()) names.push_back(entry.name);
   for (const auto& entry : integrators()) names.push_back(entry.name);
-  for (const auto* entries : {&shapes(), &rotations(), &targets()}) {
+  for (const auto* entries : {&shapes(), &boundary_shapes(), &contacts(), &rotations(), &targets()}) {
     for (const auto& entry : *entries) names.push_back(entry.name);
   }
   for (const auto& scenario : scenarios()) names.push_back(scenario.name);
@@ -206,6 +206,8 @@ Description description_of(const std::string& name) {
   if (const auto* effect = find(effects(), name)) return describe_effect(*effect);
   if (const auto* integrator = find(integrators(), name)) return describe_integrator(*integrator);
   if (const auto* shape = find(shapes(), name)) return describe_entry(*shape, "shape");
+  if (const auto* shape = find(boundary_shapes(), name)) return describe_entry(*shape, "shape");
+  if (const auto* contact = find(contacts(), name)) return describe_entry(*contact, "contact formulation");
   if (const auto* rotation = find(rotations(), name)) return describe_entry(*rotation, "rotation rule");
   if (const auto* target = find(targets(), name)) return describe_entry(*target, "instruction set");
   for (const Scenario& scenario : scenarios()) {

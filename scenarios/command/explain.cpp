@@ -59,13 +59,29 @@ void add_passes(Page& text, const Explanation& explanation) {
   if (explanation.passes.empty()) text.paragraph("none");
   for (const PassReport& pass : explanation.passes) {
     text.line(fmt::format("  {} of {}", pass.name, pass.group), Style::strong);
-    text.fields({{"  cost", fmt::format("{} a step; each moves {} B and computes {} flops per body",
-                                        counted(static_cast<std::uint64_t>(pass.calls_per_step), "call", "calls"),
-                                        number(pass.bytes_per_body, 5), number(pass.flops_per_body, 5))},
+    const std::string calls = counted(static_cast<std::uint64_t>(pass.calls_per_step), "call", "calls") + " a step";
+    const std::string each = fmt::format("; each moves {} B and computes {} flops per body",
+                                         number(pass.bytes_per_body, 5), number(pass.flops_per_body, 5));
+    text.fields({{"  cost", calls + (pass.bytes_per_body > 0 ? each : "")},
                  {"  reads", or_none(pass.reads)},
                  {"  writes", or_none(pass.writes)}});
     if (pass.why != explanation.path_reason) text.fields({{"  why   ", pass.why}});
   }
+}
+
+void add_contacts(Page& text, const ContactReport& contact) {
+  if (contact.kind.empty()) return;
+  text.heading("Contacts");
+  text.fields(
+      {{"formulation", Cell(contact.kind, Style::strong)},
+       {"of", fmt::format("{}, {}", counted(contact.bodies, "body", "bodies"),
+                          counted(contact.walls, "boundary face", "boundary faces"))},
+       {"a step", fmt::format("{}, each with {} iterations and {} to relax",
+                              counted(static_cast<std::uint64_t>(contact.substeps), "substep", "substeps"),
+                              contact.iterations, contact.relax_iterations)},
+       {"margin", number(contact.margin) + " radii"},
+       {"friction", contact.friction ? "a cone, with spin" : "none in this scene: no spin, no tangential part"}});
+  text.list(contact.laws);
 }
 
 void add_rest(Page& text, const Explanation& explanation) {
@@ -118,6 +134,19 @@ Json passes_json(const Explanation& explanation) {
   return list;
 }
 
+Json contact_json(const ContactReport& contact) {
+  if (contact.kind.empty()) return nullptr;
+  return {{"kind", contact.kind},
+          {"substeps", contact.substeps},
+          {"iterations", contact.iterations},
+          {"relax_iterations", contact.relax_iterations},
+          {"margin", contact.margin},
+          {"bodies", contact.bodies},
+          {"walls", contact.walls},
+          {"friction", contact.friction},
+          {"laws", contact.laws}};
+}
+
 Json to_json(const std::string& scenario, const Explanation& explanation) {
   return {{"scenario", scenario},
           {"path", explanation.path},
@@ -130,6 +159,7 @@ Json to_json(const std::string& scenario, const Explanation& explanation) {
           {"bytes_per_body_step", explanation.bytes_per_body_step},
           {"flops_per_body_step", explanation.flops_per_body_step},
           {"column_bytes", explanation.column_bytes},
+          {"contact", contact_json(explanation.contact)},
           {"groups", groups_json(explanation)},
           {"columns", columns_json(explanation)},
           {"passes", passes_json(explanation)},
@@ -150,6 +180,7 @@ Exit explain(const Arguments& arguments) {
   add_summary(text, explanation);
   add_groups(text, explanation);
   add_columns(text, explanation);
+  add_contacts(text, explanation.contact);
   add_passes(text, explanation);
   add_rest(text, explanation);
   delivery.text(text.text());

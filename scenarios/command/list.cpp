@@ -60,11 +60,13 @@ Section effect_section() {
   return section;
 }
 
-Section shape_section() {
+Section named_section(std::initializer_list<const std::vector<NamedDescription>*> lists) {
   Section section{{{{""}, {"", wrap}}, {}}};
-  for (const NamedDescription& shape : shapes()) {
-    section.table.rows.push_back({Cell(shape.name, Style::strong), shape.doc});
-    section.json.push_back(to_json(shape));
+  for (const auto* list : lists) {
+    for (const NamedDescription& item : *list) {
+      section.table.rows.push_back({Cell(item.name, Style::strong), item.doc});
+      section.json.push_back(to_json(item));
+    }
   }
   return section;
 }
@@ -82,9 +84,10 @@ Section section_named(const std::string& name) {
   if (name == "scenarios") return scenario_section();
   if (name == "integrators") return integrator_section();
   if (name == "effects") return effect_section();
-  if (name == "shapes") return shape_section();
+  if (name == "shapes") return named_section({&shapes(), &boundary_shapes()});
+  if (name == "contacts") return named_section({&contacts()});
   if (name == "targets") return target_section();
-  return {};  // contacts: bodies do not touch in this version
+  return {};
 }
 
 }  // namespace

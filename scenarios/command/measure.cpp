@@ -76,6 +76,7 @@ void measure_passes(ProfileFigures& figures, Runner& runner) {
   const std::vector<PassTime> times = runner.world.pass_times();
   runner.world.profile(false);
   figures.status = runner.world.status();
+  figures.counters = runner.world.counters();
   const double body_steps = static_cast<double>(figures.bodies) * static_cast<double>(figures.steps * runner.completed);
   figures.outside_passes = figures.wall_seconds;
   for (const PassTime& time : times) {

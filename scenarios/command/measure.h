@@ -37,6 +37,7 @@ struct ProfileFigures {
   Explanation explanation;
   std::vector<PassFigure> passes;
   std::vector<ThreadFigure> threads;
+  Counters counters;  ///< of the pass clocks' run
   Status status;
   bool interrupted = false;
 };

@@ -64,6 +64,25 @@ void add_passes(Page& text, const ProfileFigures& figures) {
   text.paragraph("ns and B: per body-step (one body, one step).");
 }
 
+void add_contacts(Page& text, const ProfileFigures& figures) {
+  const ContactReport& contact = figures.explanation.contact;
+  if (contact.kind.empty()) return;
+  const Counters& c = figures.counters;
+  const double steps = static_cast<double>(std::max<std::uint64_t>(c.steps, 1));
+  text.heading(fmt::format("Contacts over {}", counted(c.steps, "step", "steps")));
+  text.fields({{"pairs", fmt::format("{} a step", number(static_cast<double>(c.pairs) / steps, 5))},
+               {"contacts", fmt::format("{} loaded a step, {} at most, {}",
+                                        number(static_cast<double>(c.contacts) / steps, 5), grouped(c.peak_contacts),
+                                        counted(static_cast<std::uint64_t>(c.colours), "colour", "colours"))},
+               {"impacts", fmt::format("{}, in at most {}", grouped(c.impacts),
+                                       counted(c.impact_rounds, "round of reflections", "rounds of reflections"))},
+               {"solver", fmt::format("{}, {} iterations and {} to relax",
+                                      counted(static_cast<std::uint64_t>(contact.substeps), "substep", "substeps"),
+                                      contact.iterations, contact.relax_iterations)},
+               {"residual", number(c.residual, 3) + " m/s, the last sweep's largest error in a normal speed"},
+               {"deepest overlap", number(c.max_penetration, 3) + " m"}});
+}
+
 void add_threads(Page& text, const ProfileFigures& figures) {
   const std::string repeat = counted(figures.steps * figures.repetitions, "step", "steps");
   text.heading(fmt::format("Throughput in body-steps/s, {} interleaved repeats of {}", figures.rounds, repeat));
@@ -100,6 +119,21 @@ Json passes_json(const ProfileFigures& figures) {
   return list;
 }
 
+Json contacts_json(const ProfileFigures& figures) {
+  if (figures.explanation.contact.kind.empty()) return nullptr;
+  const Counters& c = figures.counters;
+  return {{"steps", c.steps},
+          {"pairs", c.pairs},
+          {"contacts", c.contacts},
+          {"peak_contacts", c.peak_contacts},
+          {"colours", c.colours},
+          {"impacts", c.impacts},
+          {"impact_rounds", c.impact_rounds},
+          {"iterations", figures.explanation.contact.iterations},
+          {"residual", c.residual},
+          {"max_penetration", c.max_penetration}};
+}
+
 Json threads_json(const ProfileFigures& figures) {
   Json list = Json::array();
   for (const ThreadFigure& figure : figures.threads) {
@@ -130,6 +164,7 @@ Json to_json(const std::string& scenario, const ProfileFigures& figures) {
           {"wall_seconds", figures.wall_seconds},
           {"outside_passes_seconds", figures.outside_passes},
           {"passes", passes_json(figures)},
+          {"contacts", contacts_json(figures)},
           {"threads", threads_json(figures)},
           {"status", {{"code", name(figures.status.code)}, {"sentence", figures.status.sentence}}}};
 }
@@ -156,6 +191,7 @@ Exit profile(const Arguments& arguments) {
   text.heading(file.scene.name);
   add_summary(text, figures);
   add_passes(text, figures);
+  add_contacts(text, figures);
   if (!figures.threads.empty()) add_threads(text, figures);
   delivery.text(text.text());
   delivery.json(to_json(file.scene.name, figures).dump(2));

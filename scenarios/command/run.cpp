@@ -76,6 +76,22 @@ std::vector<std::pair<std::string, Cell>> status_fields(const RunReport& report,
   return fields;
 }
 
+void add_contact_facts(std::vector<std::pair<std::string, Cell>>& facts, const RunReport& report) {
+  if (report.contact.empty()) return;
+  const Counters& c = report.counters;
+  const double steps = static_cast<double>(std::max<std::uint64_t>(c.steps, 1));
+  const std::vector<std::pair<std::string, Cell>> fields{
+      {"pairs",
+       fmt::format("{} a step, at most {}", number(static_cast<double>(c.pairs) / steps, 4), grouped(c.peak_pairs))},
+      {"contacts",
+       fmt::format("{} loaded a step, at most {}; {}", number(static_cast<double>(c.contacts) / steps, 4),
+                   grouped(c.peak_contacts), counted(static_cast<std::uint64_t>(c.colours), "colour", "colours"))},
+      {"impacts", fmt::format("{}, in at most {} of reflections", grouped(c.impacts),
+                              counted(c.impact_rounds, "round", "rounds"))},
+      {"deepest overlap", number(c.max_penetration, 3) + " m"}};
+  facts.insert(facts.end() - 2, fields.begin(), fields.end());  // before the hash
+}
+
 void add_facts(Page& text, const RunReport& report, const Scene& scene) {
   const std::string threads = counted(static_cast<std::uint64_t>(report.threads), "thread", "threads");
   std::vector<std::pair<std::string, Cell>> facts{
@@ -93,6 +109,7 @@ void add_facts(Page& text, const RunReport& report, const Scene& scene) {
       {"angular momentum drift", number(report.angular_momentum_drift, 3) + " (relative)"},
       {"state hash", report.state_hash},
       {"expectations", expectation_summary(report.verdicts)}};
+  add_contact_facts(facts, report);
   for (auto& field : status_fields(report, scene)) facts.push_back(std::move(field));
   text.fields(std::move(facts));
 }

@@ -18,6 +18,7 @@ std::string facts_of(const Key& key) {
 /// As the key's table stands in a file: [run], [[bodies]], generate = { ... }.
 std::string heading(const Key& key) {
   if (key.type == KeyType::tables) return "[[" + key.path() + "]]";
+  if (key.type == KeyType::named) return "[" + key.path() + ".NAME]";
   return key.table.empty() ? "[" + key.name + "]" : key.name + " = { ... } in [[" + key.table + "]]";
 }
 

@@ -1,6 +1,7 @@
 // How the rows of the key table are written down: what a key is, and where its value goes.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -23,7 +24,14 @@ class Row {
   template <class Around, class Inner>
   Row(std::string name, KeyType type, Inner* (*open)(Around&), std::string help) {
     describe(std::move(name), type, std::move(help));
-    key_.open = [open](const Owner& owner) -> Owner { return open(*std::get<Around*>(owner)); };
+    key_.open = [open](const Owner& owner, const std::string&) -> Owner { return open(*std::get<Around*>(owner)); };
+  }
+  template <class Around, class Inner>
+  Row(std::string name, Inner* (*open)(Around&, const std::string&), std::string help) {
+    describe(std::move(name), KeyType::named, std::move(help));
+    key_.open = [open](const Owner& owner, const std::string& inner) -> Owner {
+      return open(*std::get<Around*>(owner), inner);
+    };
   }
 
   Row& in(const Range& range) { return key_.range = range, *this; }
@@ -53,7 +61,7 @@ using Rows = std::vector<Row>;
 /// Into that member of the object that the table fills.
 template <class Object, class Member>
 Key::Store into(Member Object::*member) {
-  return [member](const Owner& owner, Parsed value) {
+  return [member](const Owner& owner, Parsed&& value) {
     std::get<Object*>(owner)->*member = std::get<Member>(std::move(value));
   };
 }
@@ -69,6 +77,23 @@ Key::Store into_optional(std::optional<double> Object::*member) {
     std::get<Object*>(owner)->*member = std::get<double>(value);
   };
 }
+
+/// A whole number, cut to what an int holds.
+template <class Object>
+Key::Store into_int(int Object::*member) {
+  return [member](const Owner& owner, const Parsed& value) {
+    constexpr std::uint64_t most = std::numeric_limits<int>::max();
+    std::get<Object*>(owner)->*member = static_cast<int>(std::min(std::get<std::uint64_t>(value), most));
+  };
+}
+
+/// contact_keys.cpp: materials, boundaries and contacts, with the tables that they stand in.
+struct TableRows {
+  std::string table;
+  Rows rows;
+};
+std::vector<TableRows> contact_tables();
+Rows contact_top_rows();
 
 Key::Store on_draft(void (*action)(Draft&, std::string));
 

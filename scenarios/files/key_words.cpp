@@ -51,13 +51,13 @@ std::string quoted_list(const std::vector<std::string>& words) {
 }  // namespace
 
 Key::Store on_draft(void (*action)(Draft&, std::string)) {
-  return [action](const Owner& owner, Parsed value) {
+  return [action](const Owner& owner, Parsed&& value) {
     action(*std::get<Draft*>(owner), std::get<std::string>(std::move(value)));
   };
 }
 
 Row parameter_row(const std::string& effect, const ParameterInfo& parameter) {
-  const auto store = [name = parameter.name](const Owner& owner, Parsed value) {
+  const auto store = [name = parameter.name](const Owner& owner, Parsed&& value) {
     std::get<Effect*>(owner)->parameters[name] = effect_value(std::move(value));
   };
   Row row(parameter.name, type_of(parameter.kind), parameter.unit, store, parameter.doc);
@@ -124,6 +124,8 @@ std::string expected(const Key& key) {
       return "a table [" + key.path() + "]";
     case KeyType::tables:
       return "tables, each under [[" + key.path() + "]]";
+    case KeyType::named:
+      return "tables, each under [" + key.path() + ".NAME]";
   }
   return "";
 }

@@ -16,7 +16,7 @@ constexpr Range not_negative{.minimum = 0};
 constexpr const char* zero = "[0, 0, 0]";
 
 Rows top_rows() {
-  return {
+  Rows rows = {
       Row("name", text, "", on_draft([](Draft& d, std::string v) { d.file.scene.name = std::move(v); }),
           "What the scene is called; the file's name if left out."),
       Row("doc", text, "", on_draft([](Draft& d, std::string v) { d.file.scene.doc = std::move(v); }),
@@ -40,6 +40,9 @@ Rows top_rows() {
           "expect", tables, +[](Draft& d) { return &d.file.expectations.emplace_back(); },
           "One number of the run each and what it must be: min, max or both; or value with tolerance."),
   };
+  const Rows contact = contact_top_rows();
+  rows.insert(rows.end(), contact.begin(), contact.end());
+  return rows;
 }
 
 Rows run_rows() {
@@ -77,6 +80,8 @@ Rows body_rows() {
       Row("shape", word, "", into_bodies(&BodyGroup::shape),
           "None for particles and for bodies whose inertia is given.")
           .one_of(names_of(shapes())),
+      Row("material", text, "", into_bodies(&BodyGroup::material),
+          "A name of [materials]; without one, restitution is 1 and friction 0."),
       Row("radius", numbers, "m", into_bodies(&BodyGroup::radius), "Of a sphere.").in(positive),
       Row("mass", numbers, "kg", into_bodies(&BodyGroup::mass), "Or give density.").in(positive),
       Row("density", numbers, "kg/m^3", into_bodies(&BodyGroup::density), "With a shape, instead of mass.")
@@ -112,12 +117,16 @@ Rows body_rows() {
 Rows generate_rows() {
   return {
       Row("kind", word, "", into(&Generate::kind),
-          "lattice: a cubic grid, x fastest. random: uniform in the box from lower to upper.")
-          .one_of({"lattice", "random"})
+          "lattice: a cubic grid, x fastest. random: uniform in the box from lower to upper. rack: a triangle of "
+          "balls, "
+          "row after row along x.")
+          .one_of({"lattice", "random", "rack"})
           .must(),
-      Row("count", wholes, "", into(&Generate::count), "lattice: [nx, ny, nz]. random: how many bodies.").must(),
-      Row("origin", vector, "m", into(&Generate::origin), "lattice: position of the first body.").otherwise(zero),
-      Row("spacing", number, "m", into(&Generate::spacing), "lattice: distance between neighbours.").in(positive),
+      Row("count", wholes, "", into(&Generate::count),
+          "lattice: [nx, ny, nz]. random: how many bodies. rack: how many rows.")
+          .must(),
+      Row("origin", vector, "m", into(&Generate::origin), "lattice, rack: position of the first body.").otherwise(zero),
+      Row("spacing", number, "m", into(&Generate::spacing), "lattice, rack: distance between neighbours.").in(positive),
       Row("lower", vector, "m", into(&Generate::lower), "random: lowest corner of the box.").otherwise(zero),
       Row("upper", vector, "m", into(&Generate::upper), "random: highest corner of the box.").otherwise(zero),
       Row("velocity_spread", vector, "m/s", into(&Generate::velocity_spread),
@@ -196,6 +205,7 @@ std::vector<Key> all_keys() {
   add("impulse", impulse_rows());
   add("output", output_rows());
   add("expect", expect_rows());
+  for (const TableRows& part : contact_tables()) add(part.table, part.rows);
   return list;
 }
 

@@ -25,7 +25,8 @@ enum class KeyType {
   vectors,
   quaternions,
   table,
-  tables
+  tables,
+  named  ///< tables by name: [materials.ball]
 };
 
 struct Range {
@@ -35,8 +36,9 @@ struct Range {
 };
 
 struct Key {
-  using Store = std::function<void(const Owner&, Parsed)>;  ///< of a value
-  using Open = std::function<Owner(const Owner&)>;          ///< of a table: what its keys fill
+  using Store = std::function<void(const Owner&, Parsed&&)>;  ///< of a value
+  /// Of a table: what its keys fill. With the table's name, where the scene chooses it.
+  using Open = std::function<Owner(const Owner&, const std::string& name)>;
 
   std::string table;  ///< "" at the top; "bodies.generate" inside it
   std::string name;
@@ -52,7 +54,7 @@ struct Key {
   Open open;
 
   std::string path() const { return table.empty() ? name : table + "." + name; }
-  bool is_table() const { return type == KeyType::table || type == KeyType::tables; }
+  bool is_table() const { return type >= KeyType::table; }
 };
 
 const std::vector<Key>& keys();

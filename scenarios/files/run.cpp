@@ -156,6 +156,7 @@ class Run {
     now.time = world_.time();
     now.counters = world_.counters();
     now.integrator = file_.scene.run.integrator;
+    now.contact = file_.scene.contact.kind;
     now.step = file_.scene.run.step;
     now.wall_seconds = driver_.seconds();
     now.body_steps_per_second =
@@ -177,6 +178,22 @@ class Run {
     now.momentum_drift = ratio((b.momentum - a.momentum).norm(), std::max(a.momentum_scale, b.momentum_scale));
     now.angular_momentum_drift = ratio((b.angular_momentum - a.angular_momentum).norm(),
                                        std::max(a.angular_momentum_scale, b.angular_momentum_scale));
+  }
+
+  void add_contact_warnings(std::vector<std::string>& list) const {
+    const Counters now = world_.counters();
+    if (now.unfinished_impacts > 0) {
+      list.push_back(
+          fmt::format("{} impacts still approached after the last round of reflections; they ended without restitution",
+                      now.unfinished_impacts));
+    }
+    if (now.held_back > 0) {
+      list.push_back(fmt::format(
+          "{} motions were cut short where deflected bodies met others unforeseen; these bodies lag behind: a smaller "
+          "step, more substeps or a larger contact.margin avoids it",
+          now.held_back));
+    }
+    if (now.missed > 0) list.push_back(fmt::format("in {} substeps an overlap could not be prevented", now.missed));
   }
 
   std::vector<std::string> warnings() const {
@@ -204,6 +221,7 @@ class Run {
       list.push_back(
           fmt::format("effects[{}].at = {} s is not before the end: it does not act", i, std::get<double>(at->second)));
     }
+    add_contact_warnings(list);
     if (world_.status().code != Status::Code::ok) list.push_back(world_.status().sentence);
     if (const std::size_t lost = world_.totals().non_finite_bodies; lost > 0) {
       list.push_back(fmt::format("{} of {} bodies are not finite; they are left out of energy and momentum", lost,

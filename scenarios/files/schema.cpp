@@ -74,6 +74,8 @@ Json value_schema(const Key& key) {
       return one_or_list_of(row_of(4, {{"type", "number"}}));
     case KeyType::table:
       return table_schema(key.path(), "");
+    case KeyType::named:
+      return {{"type", "object"}, {"additionalProperties", table_schema(key.path(), "")}};
     case KeyType::tables:
       break;
   }

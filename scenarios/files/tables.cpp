@@ -54,6 +54,7 @@ class TableReader {
     findings_.mark(path, entry.node);
     if (key.type == KeyType::table) return read_one_table(key, entry.node, path, owner);
     if (key.type == KeyType::tables) return read_each_table(key, entry.node, path, owner);
+    if (key.type == KeyType::named) return read_named_tables(key, entry.node, path, owner);
     std::variant<Parsed, Mismatch> value = parsed_value(key, entry.node);
     if (const auto* mismatch = std::get_if<Mismatch>(&value)) {
       findings_.add(path, mismatch->place, mismatch->message);
@@ -62,11 +63,12 @@ class TableReader {
     }
   }
 
-  void read_one_table(const Key& key, const Node& node, const std::string& path, const Owner& owner) {
+  void read_one_table(const Key& key, const Node& node, const std::string& path, const Owner& owner,
+                      const std::string& name = "") {
     const auto* table = std::get_if<Table>(&node.value);
     if (!table) return findings_.add(path, node.place, "is " + describe(node) + ", expected " + expected(key));
     findings_.mark(path, node);
-    read(*table, node.place, key.path(), path + ".", key.open(owner));
+    read(*table, node.place, key.path(), path + ".", key.open(owner, name));
   }
 
   void read_each_table(const Key& key, const Node& node, const std::string& path, const Owner& owner) {
@@ -75,6 +77,12 @@ class TableReader {
     for (std::size_t i = 0; i < array->size(); ++i) {
       read_one_table(key, (*array)[i], fmt::format("{}[{}]", path, i), owner);
     }
+  }
+
+  void read_named_tables(const Key& key, const Node& node, const std::string& path, const Owner& owner) {
+    const auto* table = std::get_if<Table>(&node.value);
+    if (!table) return findings_.add(path, node.place, "is " + describe(node) + ", expected " + expected(key));
+    for (const Entry& entry : *table) read_one_table(key, entry.node, path + "." + entry.key, owner, entry.key);
   }
 
   Findings& findings_;

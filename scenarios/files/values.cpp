@@ -132,6 +132,7 @@ Parsed parsed(const Key& key, const Node& node) {
       return one_or_list_of(node, quaternion_of, is_array_of_arrays(node));
     case KeyType::table:
     case KeyType::tables:
+    case KeyType::named:
       break;
   }
   throw Unfit{node, {}, {}};

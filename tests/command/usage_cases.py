@@ -59,8 +59,8 @@ class Catalogue(CommandTest):
             self.assertEqual(json.loads(self.call("list", "--json", section).stdout), entries)
             for entry in entries:
                 self.assertEqual(set(entry) >= {"name", "doc"}, section != "targets")
-        self.assertEqual(everything["contacts"], [])
-        self.assertIn("none", self.call("list", "contacts").stdout)
+        self.assertEqual([contact["name"] for contact in everything["contacts"]], ["impulse"])
+        self.assertEqual([shape["name"] for shape in everything["shapes"]], "sphere plane box tube periodic".split())
         for target in everything["targets"]:
             self.assertEqual(set(target), {"name", "available"})
         self.assertEqual([target["name"] for target in everything["targets"]][0], "base")

@@ -27,7 +27,7 @@ void check_copies(const Scene& scene, Options options, std::uint64_t steps) {
 
 Scene fewer(Scene scene, std::size_t bodies) {
   for (BodyGroup& group : scene.bodies) {
-    if (group.generate && group.generate->count.size() == 1) group.generate->count[0] = bodies;
+    if (group.generate && group.generate->kind == "random") group.generate->count[0] = bodies;
   }
   return scene;
 }

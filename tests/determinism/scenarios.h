@@ -20,6 +20,9 @@ using ballpark::Scene;
 /// Five blocks, the last of them short, and divided by no vector width.
 inline constexpr std::size_t most_bodies = 17001;
 
+/// Contacts cost more, and are tested apart over several blocks.
+inline constexpr std::size_t most_in_contact = 700;
+
 inline std::vector<std::string> files() {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::directory_iterator(BALLPARK_SCENARIOS_FOLDER)) {
@@ -39,12 +42,17 @@ inline Scene small(const std::string& file) {
     if (group.generate && group.generate->count.size() == 1) {
       group.generate->count[0] = std::min(group.generate->count[0], most_bodies);
     }
+    if (group.generate && group.generate->count.size() == 3) {  // some layers of a lattice
+      std::vector<std::size_t>& count = group.generate->count;
+      count[2] = std::clamp<std::size_t>(most_in_contact / (count[0] * count[1]), 1, count[2]);
+    }
   }
   return scene;
 }
 
-/// Enough for an error to show, few enough for a hundred runs.
+/// Enough for an error to show, few enough for a hundred runs. Contacts need time to come about.
 inline std::uint64_t some_steps(const Scene& scene) {
+  if (!scene.contact.kind.empty()) return scene.bodies[0].generate ? 30 : 250;
   return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& group) { return bool(group.generate); })
              ? 3
              : 120;

@@ -61,8 +61,12 @@ TEST_CASE("Scene files: unknown keys are named with the nearest known one", "[fi
        "\"file\"?"},
       {"expect", with_expectation("quantity = \"time\"\nmin = 0\nmaximum = 2\n"), 12, 1, "expect[0].maximum",
        "expected one of quantity, at, min, max, value, tolerance"},
-      {"what does not exist yet", drifting + "[contact]\nkind = \"impulse\"\n", 9, 2, "contact", "unknown key"},
-      {"nor this", "[run]\nduration = 1\nstep = 1\ntolerance = 1e-8\n", 4, 1, "run.tolerance", "unknown key"},
+      {"contact", drifting + "[contact]\nkind = \"impulse\"\nsubstep = 2\n", 11, 1, "contact.substep", "\"substeps\"?"},
+      {"material", drifting + "[materials.steel]\nfricton = 0.1\n", 10, 1, "materials.steel.fricton", "\"friction\"?"},
+      {"boundary", drifting + "[contact]\nkind = \"impulse\"\n[[boundaries]]\nshape = \"plane\"\nnormall = [0, 0, 1]\n",
+       13, 1, "boundaries[0].normall", "\"normal\"?"},
+      {"what does not exist yet", "[run]\nduration = 1\nstep = 1\ntolerance = 1e-8\n", 4, 1, "run.tolerance",
+       "unknown key"},
   });
 }
 

@@ -21,6 +21,9 @@ json table_schema(const json& schema, const std::string& path, const std::string
     const std::size_t dot = rest.find('.');
     at = json(at.at("properties").at(rest.substr(0, dot)));
     if (at.contains("items")) at = json(at.at("items"));
+    if (at.contains("additionalProperties") && at.at("additionalProperties").is_object()) {
+      at = json(at.at("additionalProperties"));  // tables by name
+    }
     rest = dot == std::string::npos ? "" : rest.substr(dot + 1);
   }
   if (!at.contains("anyOf")) return at;

@@ -152,6 +152,14 @@ TEST_CASE("Runs: the JSON has every key, and numbers that can be read back", "[f
                           "steps",
                           "rejected_steps",
                           "force_evaluations",
+                          "pairs",
+                          "contacts",
+                          "peak_pairs",
+                          "peak_contacts",
+                          "max_penetration",
+                          "impacts",
+                          "solver",
+                          "contact",
                           "integrator",
                           "step",
                           "wall_seconds",
@@ -165,11 +173,12 @@ TEST_CASE("Runs: the JSON has every key, and numbers that can be read back", "[f
                           "momentum",
                           "angular_momentum",
                           "non_finite_bodies",
+                          "bodies_outside",
                           "warnings",
                           "expectations"}) {
     CHECK(json.contains(key));
   }
-  CHECK(json.size() == 23);
+  CHECK(json.size() == 32);
   CHECK(json.at("status").at("code") == "ok");
   CHECK(json.at("status").at("body").is_null());
   CHECK(json.at("time").get<double>() == report.time);

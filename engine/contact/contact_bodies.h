@@ -1,0 +1,47 @@
+// Bodies that may touch, as contacts see them: by slot, the rank of a body's id among them, so that no order of rows
+// ever reaches a contact. Balls have isotropic inertia; their spin is carried as the speed of the surface, R w, in
+// which contact needs no radius.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/kernels/vector3.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+/// One vector for each slot.
+struct VectorColumn {
+  std::vector<Real> x, y, z;
+
+  void resize(std::size_t n) {
+    for (auto* values : {&x, &y, &z}) values->resize(n);
+  }
+  Vector3<Real> at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void put(std::size_t i, const Vector3<Real>& a) { x[i] = a.x, y[i] = a.y, z[i] = a.z; }
+  std::size_t bytes() const { return (x.capacity() + y.capacity() + z.capacity()) * sizeof(Real); }
+};
+
+struct ContactBodies {
+  std::size_t count = 0;
+  std::size_t per_copy = 0;  ///< slots of one copy of the scene; copies do not touch each other
+  bool spins = false;        ///< some contact has friction: surface speeds matter
+
+  std::vector<Real> radius;        ///< [m]
+  std::vector<Real> inverse_mass;  ///< [1/kg]
+  std::vector<Real> mobility;      ///< R^2 / I [1/kg]: surface speed per tangential impulse
+  std::vector<std::uint16_t> material;
+
+  // At the start of a substep, as the state columns had it:
+  VectorColumn position;  ///< [m]
+  VectorColumn velocity;  ///< [m/s]
+  VectorColumn surface;   ///< R w [m/s]
+  // After its smooth motion (the trial), and then what contacts make of it:
+  VectorColumn end_position, end_velocity, end_surface;
+  VectorColumn turned;  ///< what contacts add to the rotation of the substep, times R [m]
+
+  void resize(std::size_t n);
+  std::size_t bytes() const;
+};
+
+}  // namespace ballpark::BALLPARK_PRECISION

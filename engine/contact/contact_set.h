@@ -1,0 +1,112 @@
+// The contacts of a step: which bodies may touch each other or a wall, each with the impulses of the step before,
+// coloured so that contacts of one colour share no body.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/collide/grid.h"
+#include "engine/contact/contact_bodies.h"
+#include "engine/contact/impact.h"
+#include "engine/contact/wall.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+/// Impulse on side b [N s].
+struct ContactImpulse {
+  Real normal = 0;
+  Vector3<Real> tangent;
+};
+
+/// One contact, as the solver streams it: two cache lines in double.
+struct Contact {
+  std::uint32_t a = 0, b = 0;  ///< slots, a < b; of a wall's contact, a is the wall
+  Vector3<Real> normal;        ///< from a to b
+  Real least_speed = 0;        ///< b must leave a at no less, or the gap closes in this substep [m/s]
+  Real normal_mass = 0;        ///< impulse per normal speed [kg]
+  Real tangent_mass = 0;       ///< and per slip
+  Real friction = 0;           ///< mu
+  ContactImpulse solved;       ///< what the gap needed in this substep
+  ContactImpulse relaxed;      ///< and velocities beyond that
+  ContactImpulse sum() const { return {solved.normal + relaxed.normal, solved.tangent + relaxed.tangent}; }
+  bool loaded() const { return solved.normal + relaxed.normal > 0; }
+};
+
+/// Two slots whose surfaces are far enough apart to need no contact, unless one of them is deflected.
+using WatchedPair = Pair;
+
+/// Laws of all pairs of materials.
+struct LawTable {
+  std::vector<ImpactLaw> laws;  ///< of materials i and j: i * materials + j
+  std::size_t materials = 0;
+
+  const ImpactLaw& of(std::uint16_t i, std::uint16_t j) const { return laws[i * materials + j]; }
+};
+
+class ContactSet {
+ public:
+  /// Contacts lie in the order of their colours, those of one colour in the order of their slots; the last colour may
+  /// share bodies and is solved in that order. Contacts with walls are in the order of their slots.
+  std::vector<Contact> pairs, walls;
+  std::vector<std::size_t> colour_begin;  ///< first contact of each colour, and the end
+  bool last_colour_shares = false;
+  static constexpr std::uint8_t was_loaded = 1, reflected = 2, touches = 4;
+  std::vector<std::uint8_t> pair_marks, wall_marks;  ///< of each contact in this substep
+  std::vector<std::uint32_t> place;                  ///< of each pair in the order of slots: where it lies in `pairs`
+  std::vector<std::uint32_t> first_of_slot;  ///< in the order of slots: first pair whose a is the slot, and the end
+  std::vector<std::uint32_t> first_wall_of_slot;  ///< in `walls`
+  std::vector<Real> swept;  ///< farthest that each body may go in the step without being deflected [m]
+  std::size_t candidates = 0;
+
+  /// Finds them for a step of length `step`, from bodies at its start. `margin`: how near, in radii, surfaces pass each
+  /// other to be a contact.
+  void find(const ContactBodies& bodies, const std::vector<Wall>& walls, const std::vector<WallMoment>& moments,
+            const Period& period, const LawTable& laws, Real step, Real margin, Workers& workers);
+
+  /// Impulses of the last step, to go on from: as plain values, in the order of slots.
+  struct Saved {
+    std::uint32_t a, b;
+    ContactImpulse solved, relaxed;
+  };
+  std::vector<Saved> saved_pairs() const;
+  std::vector<Saved> saved_walls() const;
+  void restore(const std::vector<Saved>& saved_pairs, const std::vector<Saved>& saved_walls, std::size_t slots);
+
+  std::size_t watched_blocks() const { return watched_.size(); }
+  std::span<const WatchedPair> watched(std::size_t block) const { return watched_[block]; }
+  const Grid& grid() const { return grid_; }
+  std::size_t bytes() const;
+
+ private:
+  struct Carried {
+    ContactImpulse solved, relaxed;
+  };
+  void find_reaches(const ContactBodies& bodies, Real step, Real margin);
+  void sift(const ContactBodies& bodies, std::size_t first, const Period& period, Real step, Real margin,
+            Workers& workers);
+  void sift_pair(const ContactBodies& bodies, const Period& period, Real step, Real margin, Pair pair,
+                 std::vector<Pair>& near, std::vector<WatchedPair>& watched) const;
+  void remember();
+  void order(std::size_t slots);
+  void colour(std::size_t slots);
+  void fill(const ContactBodies& bodies, const LawTable& laws, Workers& workers);
+  void find_walls(const ContactBodies& bodies, const std::vector<Wall>& shapes, const std::vector<WallMoment>& moments,
+                  const LawTable& laws, Real step, Real margin);
+
+  Grid grid_;
+  std::vector<Real> grid_radius_;
+  std::vector<std::uint32_t> fast_;  ///< bodies that go too far in a step for the grid
+  std::vector<std::uint8_t> is_fast_;
+  std::size_t lists_ = 0;                ///< of candidates in this step: blocks of each copy, and fast bodies
+  std::vector<std::vector<Pair>> near_;  ///< contacts of each block of candidates
+  std::vector<std::vector<WatchedPair>> watched_;
+  std::vector<std::uint32_t> other_;  ///< in the order of slots: b of each pair
+  std::vector<std::uint8_t> colour_;
+  std::vector<std::uint64_t> used_;               ///< colours of each slot
+  std::vector<Carried> carried_, carried_walls_;  ///< impulses of the step before, in the order of slots
+  std::vector<std::uint32_t> old_first_, old_other_, old_first_wall_, old_wall_;
+};
+
+}  // namespace ballpark::BALLPARK_PRECISION

@@ -22,7 +22,7 @@ void Grid::search(std::size_t first, std::size_t last, Found& found) const {
     for (; at < end; ++at) {
       list[0].begin = static_cast<std::uint32_t>(at) + 1;
       if (found.count + candidates > found.room.size()) {
-        found.room.resize(std::max(2 * found.room.size(), found.count + candidates));
+        found.room.resize(std::max(found.room.size() * 5 / 4, found.count + candidates));
       }
       if (images) {
         collect<true>(static_cast<std::uint32_t>(at), list, count, found);

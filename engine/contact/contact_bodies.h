@@ -26,6 +26,7 @@ struct ContactBodies {
   std::size_t count = 0;
   std::size_t per_copy = 0;  ///< slots of one copy of the scene; copies do not touch each other
   bool spins = false;        ///< some contact has friction: surface speeds matter
+  bool turns = false;        ///< somebody carries an orientation
 
   std::vector<Real> radius;        ///< [m]
   std::vector<Real> inverse_mass;  ///< [1/kg]
@@ -38,7 +39,7 @@ struct ContactBodies {
   VectorColumn surface;   ///< R w [m/s]
   // After its smooth motion (the trial), and then what contacts make of it:
   VectorColumn end_position, end_velocity, end_surface;
-  VectorColumn turned;  ///< what contacts add to the rotation of the substep, times R [m]
+  VectorColumn turned;  ///< if `turns`: what contacts add to the rotation of the substep, times R [m]
 
   void resize(std::size_t n);
   std::size_t bytes() const;

@@ -17,6 +17,13 @@ std::size_t capacity_bytes(const std::vector<T>& list) {
   return list.capacity() * sizeof(T);
 }
 
+/// Resizes with an eighth of room to spare, not twice.
+template <class T>
+void resize(std::vector<T>& list, std::size_t size) {
+  if (size > list.capacity()) list.reserve(size + size / 8);
+  list.resize(size);
+}
+
 /// Distance of a point from the segment that starts at the origin.
 Real distance_from_segment(const Vector3<Real>& point, const Vector3<Real>& segment) {
   const Real square = dot(segment, segment), along = dot(segment, point);
@@ -30,8 +37,7 @@ void ContactBodies::resize(std::size_t n) {
   count = n;
   for (auto* values : {&radius, &inverse_mass, &mobility}) values->resize(n);
   material.resize(n);
-  for (auto* column : {&position, &velocity, &surface, &end_position, &end_velocity, &end_surface, &turned})
-    column->resize(n);
+  for (auto* column : {&position, &velocity, &surface, &end_position, &end_velocity, &end_surface}) column->resize(n);
 }
 
 std::size_t ContactBodies::bytes() const {
@@ -63,21 +69,29 @@ void ContactSet::find(const ContactBodies& bodies, const std::vector<Wall>& shap
   colour(bodies.count);
   fill(bodies, laws, workers);
   find_walls(bodies, shapes, moments, laws, step, margin);
+  // What the next step will remember: so that a peak asks for memory once.
+  carried_.reserve(pairs.size());
+  carried_walls_.reserve(walls.size());
 }
 
-/// Keeps the impulses of the last contacts by the slots they were between.
+/// Keeps the impulses of those contacts of the last step that bore any, by the slots they were between.
 void ContactSet::remember() {
-  carried_.resize(pairs.size());
-  for (std::size_t i = 0; i < place.size(); ++i) carried_[i] = {pairs[place[i]].solved, pairs[place[i]].relaxed};
-  carried_walls_.resize(walls.size());
-  old_wall_.resize(walls.size());
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    carried_walls_[i] = {walls[i].solved, walls[i].relaxed};
-    old_wall_[i] = walls[i].a;
+  const std::size_t slots = first_of_slot.empty() ? 0 : first_of_slot.size() - 1;
+  old_first_.assign(slots + 1, 0);
+  old_first_wall_.assign(slots + 1, 0);
+  carried_.clear();
+  carried_walls_.clear();
+  for (std::size_t slot = 0; slot < slots; ++slot) {
+    for (std::uint32_t i = first_of_slot[slot]; i < first_of_slot[slot + 1]; ++i) {
+      const Contact& contact = pairs[place[i]];
+      if (contact.bears()) carried_.push_back({contact.b, contact.solved, contact.relaxed});
+    }
+    for (std::uint32_t i = first_wall_of_slot[slot]; i < first_wall_of_slot[slot + 1]; ++i) {
+      if (walls[i].bears()) carried_walls_.push_back({walls[i].a, walls[i].solved, walls[i].relaxed});
+    }
+    old_first_[slot + 1] = static_cast<std::uint32_t>(carried_.size());
+    old_first_wall_[slot + 1] = static_cast<std::uint32_t>(carried_walls_.size());
   }
-  old_first_.swap(first_of_slot);
-  old_other_.swap(other_);
-  old_first_wall_.swap(first_wall_of_slot);
 }
 
 /// How far each body may go in the step, and which go so far that their reach would widen every cell of the grid.
@@ -165,7 +179,7 @@ void ContactSet::order(std::size_t slots) {
     before += first;
     first = before;  // the end of its list: filling counts down to the beginning
   }
-  other_.resize(count);
+  resize(other_, count);
   for (const auto& list : near_) {
     for (const Pair& pair : list) other_[--first_of_slot[pair.a]] = pair.b;
   }
@@ -177,7 +191,7 @@ void ContactSet::order(std::size_t slots) {
 /// Greedy, in the order of slots: the first colour that neither body has.
 void ContactSet::colour(std::size_t slots) {
   used_.assign(slots, 0);
-  colour_.resize(other_.size());
+  resize(colour_, other_.size());
   std::array<std::size_t, most_colours + 2> count{};
   for (std::size_t a = 0; a < slots; ++a) {
     for (std::uint32_t i = first_of_slot[a]; i < first_of_slot[a + 1]; ++i) {
@@ -196,13 +210,13 @@ void ContactSet::colour(std::size_t slots) {
   while (colours > 0 && count[static_cast<std::size_t>(colours)] == 0) --colours;
   for (std::size_t c = 1; c < count.size(); ++c) count[c] += count[c - 1];
   colour_begin.assign(count.begin(), count.begin() + colours + 1);
-  place.resize(other_.size());
+  resize(place, other_.size());
   for (std::size_t i = 0; i < other_.size(); ++i) place[i] = static_cast<std::uint32_t>(count[colour_[i]]++);
 }
 
 /// Contacts with what is constant over the step, and the impulses that the same pair had in the last one.
 void ContactSet::fill(const ContactBodies& bodies, const LawTable& laws, Workers& workers) {
-  pairs.resize(other_.size());
+  resize(pairs, other_.size());
   const std::size_t blocks = (bodies.count + block_length - 1) / block_length;
   workers.for_each(blocks, [&](std::size_t block) {
     for (std::size_t a = block * block_length; a < std::min((block + 1) * block_length, bodies.count); ++a) {
@@ -218,8 +232,8 @@ void ContactSet::fill(const ContactBodies& bodies, const LawTable& laws, Workers
         const Real inverse = bodies.inverse_mass[a] + bodies.inverse_mass[b];
         contact.normal_mass = 1 / inverse;
         contact.tangent_mass = 1 / (inverse + bodies.mobility[a] + bodies.mobility[b]);
-        while (old < old_end && old_other_[old] < b) ++old;
-        const bool met = old < old_end && old_other_[old] == b;
+        while (old < old_end && carried_[old].other < b) ++old;
+        const bool met = old < old_end && carried_[old].other == b;
         contact.solved = met ? carried_[old].solved : ContactImpulse{};
         contact.relaxed = met ? carried_[old].relaxed : ContactImpulse{};
       }
@@ -247,7 +261,7 @@ void ContactSet::find_walls(const ContactBodies& bodies, const std::vector<Wall>
       for (std::uint32_t old = slot + 1 < old_first_wall_.size() ? old_first_wall_[slot] : 0,
                          end = slot + 1 < old_first_wall_.size() ? old_first_wall_[slot + 1] : 0;
            old < end; ++old) {
-        if (old_wall_[old] != w) continue;
+        if (carried_walls_[old].other != w) continue;
         contact.solved = carried_walls_[old].solved;
         contact.relaxed = carried_walls_[old].relaxed;
       }
@@ -299,7 +313,7 @@ std::size_t ContactSet::bytes() const {
                     capacity_bytes(grid_radius_) + capacity_bytes(fast_) + capacity_bytes(is_fast_) +
                     capacity_bytes(other_) + capacity_bytes(colour_) + capacity_bytes(used_) +
                     capacity_bytes(carried_) + capacity_bytes(carried_walls_) + capacity_bytes(old_first_) +
-                    capacity_bytes(old_other_) + capacity_bytes(old_first_wall_) + capacity_bytes(old_wall_);
+                    capacity_bytes(old_first_wall_);
   for (const auto& list : near_) sum += capacity_bytes(list);
   for (const auto& list : watched_) sum += capacity_bytes(list);
   return sum;

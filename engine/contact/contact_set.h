@@ -31,6 +31,8 @@ struct Contact {
   ContactImpulse solved;       ///< what the gap needed in this substep
   ContactImpulse relaxed;      ///< and velocities beyond that
   ContactImpulse sum() const { return {solved.normal + relaxed.normal, solved.tangent + relaxed.tangent}; }
+  /// Is there any impulse to go on from?
+  bool bears() const { return solved.normal != 0 || relaxed.normal != 0; }
   bool loaded() const { return solved.normal + relaxed.normal > 0; }
 };
 
@@ -81,6 +83,7 @@ class ContactSet {
 
  private:
   struct Carried {
+    std::uint32_t other;  ///< slot or wall
     ContactImpulse solved, relaxed;
   };
   void find_reaches(const ContactBodies& bodies, Real step, Real margin);
@@ -104,9 +107,9 @@ class ContactSet {
   std::vector<std::vector<WatchedPair>> watched_;
   std::vector<std::uint32_t> other_;  ///< in the order of slots: b of each pair
   std::vector<std::uint8_t> colour_;
-  std::vector<std::uint64_t> used_;               ///< colours of each slot
-  std::vector<Carried> carried_, carried_walls_;  ///< impulses of the step before, in the order of slots
-  std::vector<std::uint32_t> old_first_, old_other_, old_first_wall_, old_wall_;
+  std::vector<std::uint64_t> used_;                        ///< colours of each slot
+  std::vector<Carried> carried_, carried_walls_;           ///< impulses of the step before, in the order of slots
+  std::vector<std::uint32_t> old_first_, old_first_wall_;  ///< of each slot, in these
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

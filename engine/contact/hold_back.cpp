@@ -27,8 +27,9 @@ bool ImpulseSolver::find_deflected(Real substep, Workers&) {
 }
 
 void ImpulseSolver::hold_back(Real substep, Workers& workers) {
-  share_.assign(bodies.count, 1);
-  deflected_.resize(bodies.count);
+  for (auto* list : {&share_, &shorter_}) list->resize(bodies.count);
+  for (auto* list : {&deflected_, &next_deflected_}) list->resize(bodies.count);
+  std::fill(share_.begin(), share_.end(), Real(1));
   if (!find_deflected(substep, workers)) return;
   for (int pass = 0; shorten(substep); ++pass) {
     if (pass < most_passes) continue;

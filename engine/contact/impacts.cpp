@@ -196,7 +196,7 @@ void Impacts::split_into_sets() {
   }
   for (std::size_t s = 1; s < set_begin_.size(); ++s) set_begin_[s] += set_begin_[s - 1];
   sorted_.resize(meetings_.size());
-  for (const Meeting& m : meetings_) sorted_[set_begin_[m.set]++] = m;  // leaves the ends
+  for (std::uint32_t i = 0; i < meetings_.size(); ++i) sorted_[set_begin_[meetings_[i].set]++] = i;  // leaves the ends
   set_begin_.insert(set_begin_.begin(), 0);
   set_begin_.pop_back();
 }
@@ -206,11 +206,11 @@ void Impacts::reflect(std::size_t first, std::size_t last) {
   const std::size_t size = last - first;
   const std::size_t updates = size == 1 ? 1 : std::clamp(update_budget / size, least_updates, most_updates);
   Real fastest = 0;
-  for (std::size_t i = first; i < last; ++i) fastest = std::max(fastest, scale_[sorted_[i].contact->b]);
+  for (std::size_t i = first; i < last; ++i) fastest = std::max(fastest, scale_[meetings_[sorted_[i]].contact->b]);
   const Real close = std::numeric_limits<Real>::epsilon() * fastest / 4;
   for (std::size_t n = 0; n < updates; ++n) {
     Real error = 0;
-    for (std::size_t i = first; i < last; ++i) error = std::max(error, update(sorted_[i]));
+    for (std::size_t i = first; i < last; ++i) error = std::max(error, update(meetings_[sorted_[i]]));
     if (error <= close) return;
   }
 }
@@ -218,8 +218,9 @@ void Impacts::reflect(std::size_t first, std::size_t last) {
 void Impacts::spend(ContactSet& set, std::size_t first, std::size_t last) {
   const auto cost = static_cast<std::uint32_t>(std::min<std::size_t>(last - first, most_spent));
   for (std::size_t i = first; i < last; ++i) {
-    const Contact& contact = *sorted_[i].contact;
-    const bool wall = is_wall(sorted_[i].index);
+    const Meeting& meeting = meetings_[sorted_[i]];
+    const Contact& contact = *meeting.contact;
+    const bool wall = is_wall(meeting.index);
     (wall ? set.wall_marks[contact_index(set.walls, contact)] : set.pair_marks[contact_index(set.pairs, contact)]) |=
         ContactSet::reflected;
     if (!wall) spent_[contact.a] += cost;

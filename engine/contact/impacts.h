@@ -74,7 +74,8 @@ class Impacts {
 
   const ContactBodies* bodies_ = nullptr;
   std::size_t pair_count_ = 0;
-  std::vector<Meeting> meetings_, sorted_;
+  std::vector<Meeting> meetings_;
+  std::vector<std::uint32_t> sorted_;  ///< meetings in the order of their sets
   std::vector<Index> next_, later_;
   std::vector<Real> earliest_;  ///< moment at which each body of a round meets another
   std::vector<std::uint8_t> is_touched_;

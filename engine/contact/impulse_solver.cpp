@@ -210,7 +210,7 @@ void ImpulseSolver::advance_bodies(Real substep, Workers& workers) {
     if (!bodies.spins) return;
     const Vector3<Real> turn = movers_[i].surface - mean_surface(i);
     movers_[i].surface = bodies.end_surface.at(i) + turn;
-    bodies.turned.put(i, share_[i] * substep * turn);
+    if (bodies.turns) bodies.turned.put(i, share_[i] * substep * turn);
   });
 }
 

@@ -158,6 +158,7 @@ void Builder::add_slots(const std::vector<std::string>& materials) {
       const BodyGroup& body = scene_.bodies[group.scene_index];
       const bool spins = group.motion != MotionKind::point && has_friction(scene_, body);
       bodies.spins |= spins;
+      bodies.turns |= spins && group.turns();
       const auto material =
           static_cast<std::uint16_t>(std::find(materials.begin(), materials.end(), body.material) - materials.begin());
       for (std::size_t first = 0; first < group.per_copy; first += range_length) {
@@ -173,6 +174,7 @@ void Builder::add_slots(const std::vector<std::string>& materials) {
       }
     }
   }
+  if (bodies.turns) bodies.turned.resize(bodies.count);
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <optional>
 
+#include "perf/throughput/drop.h"
 #include "perf/throughput/report.h"
 
 namespace {
@@ -18,6 +19,7 @@ constexpr int done = 0, failed = 1, bad_usage = 2;
 struct CommandLine {
   Settings settings;
   std::vector<std::string> names;  ///< of the benchmarks to run
+  DropSettings drop;
   bool check_bars = false;
   std::optional<std::string> json;  ///< file; empty: standard output
 };
@@ -29,7 +31,15 @@ std::optional<int> parse(int argc, char** argv, CommandLine& line) {
   CLI::App app(
       "Measures Ballpark's throughput beside a hand-written loop and Boost.odeint, in turns in one run.\n"
       "Exit code 1 if their results disagree, or (--check-bars) if a ratio misses its bar.");
-  app.add_option("comparison", line.names, "which to run (default: all)")->check(CLI::IsMember(line.names));
+  std::vector<std::string> all = line.names;
+  all.push_back("drop");
+  app.add_option("comparison", line.names, "which to run (default: all but drop, which takes minutes)")
+      ->check(CLI::IsMember(all));
+  app.add_option("--balls", line.drop.balls, "of drop: 1000, 10000 or 100000 fall into a box")
+      ->check(CLI::Range(1, 10000000))
+      ->capture_default_str();
+  app.add_option("--steps", line.drop.steps, "of drop")->check(CLI::Range(10, 100000))->capture_default_str();
+  app.add_flag("--alone", line.drop.alone, "drop without ODE and Bullet");
   app.add_option("--bodies", line.settings.bodies, "of the largest scenes")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 32))
       ->capture_default_str();
@@ -73,7 +83,14 @@ bool all_met(const std::vector<Result>& results, bool check_bars) {
   });
 }
 
-int run(const CommandLine& line) {
+int run(CommandLine line) {
+  const auto drops = std::find(line.names.begin(), line.names.end(), "drop");
+  if (drops != line.names.end()) {
+    line.names.erase(drops);
+    line.drop.threads = line.settings.threads;
+    drop(line.drop);
+    if (line.names.empty()) return done;
+  }
   const Machine here = machine();
   const bool json_only = line.json && line.json->empty();
   if (!json_only) fmt::print("{}", heading(here, line.settings));

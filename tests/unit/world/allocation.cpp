@@ -65,3 +65,33 @@ TEST_CASE("Allocation: none in a user effect's passes either", "[allocation]") {
   });
   for (const int threads : {1, 2}) CHECK(allocations_of_100_steps(busy(), {.threads = threads}, {wind}) == 0);
 }
+
+TEST_CASE("Allocation: none in steps whose pairs and contacts stay below earlier peaks", "[allocation]") {
+  BodyGroup heap = balls("heap", 0);
+  heap.position.clear();
+  heap.velocity = {{0, 0, 0}};
+  heap.generate = ballpark::Generate{.kind = "lattice",
+                                     .count = {20, 20, 12},
+                                     .origin = {0.1, 0.1, 0.1},
+                                     .spacing = 0.2,
+                                     .velocity_spread = {1, 1, 1}};
+  Scene scene = scene_of({heap}, {effect("gravity")});
+  scene.run.step = 1e-3;
+  scene.contact.kind = "impulse";
+  scene.materials[""] = {0.5, 0.3};
+  ballpark::Boundary box;
+  box.shape = "box", box.point = {2, 2, 2}, box.size = {4, 4, 4};
+  scene.boundaries = {box};
+  for (const int threads : {1, 2}) {
+    World world(scene, {.threads = threads});
+    const ballpark::Snapshot start = world.snapshot();
+    world.step(60);
+    world.restore(start);
+    const std::uint64_t before = allocations();
+    world.step(60);
+    const std::uint64_t asked = allocations() - before;
+    CAPTURE(threads);
+    CHECK(asked == 0);
+    CHECK(world.counters().impacts > 1000);
+  }
+}

@@ -9,7 +9,7 @@ namespace ballpark::BALLPARK_PRECISION {
 namespace {
 
 constexpr std::size_t block_length = 2048;  // contacts or bodies of a task
-constexpr std::size_t most_fast = 64;       // bodies that are held against every other
+constexpr std::size_t most_fast = 16;       // bodies that are held against every other
 constexpr int most_colours = 63;            // before the one that shares bodies
 
 template <class T>
@@ -22,6 +22,12 @@ template <class T>
 void resize(std::vector<T>& list, std::size_t size) {
   if (size > list.capacity()) list.reserve(size + size / 8);
   list.resize(size);
+}
+
+template <class T>
+void append(std::vector<T>& list, const T& item) {
+  if (list.size() == list.capacity()) list.reserve(list.size() * 5 / 4 + 64);
+  list.push_back(item);
 }
 
 /// Distance of a point from the segment that starts at the origin.
@@ -68,10 +74,7 @@ void ContactSet::find(const ContactBodies& bodies, const std::vector<Wall>& shap
   order(bodies.count);
   colour(bodies.count);
   fill(bodies, laws, workers);
-  find_walls(bodies, shapes, moments, laws, step, margin);
-  // What the next step will remember: so that a peak asks for memory once.
-  carried_.reserve(pairs.size());
-  carried_walls_.reserve(walls.size());
+  find_walls(bodies, shapes, moments, laws, step, margin, workers);
 }
 
 /// Keeps the impulses of those contacts of the last step that bore any, by the slots they were between.
@@ -84,10 +87,10 @@ void ContactSet::remember() {
   for (std::size_t slot = 0; slot < slots; ++slot) {
     for (std::uint32_t i = first_of_slot[slot]; i < first_of_slot[slot + 1]; ++i) {
       const Contact& contact = pairs[place[i]];
-      if (contact.bears()) carried_.push_back({contact.b, contact.solved, contact.relaxed});
+      if (contact.bears()) append(carried_, {contact.b, contact.solved, contact.relaxed});
     }
     for (std::uint32_t i = first_wall_of_slot[slot]; i < first_wall_of_slot[slot + 1]; ++i) {
-      if (walls[i].bears()) carried_walls_.push_back({walls[i].a, walls[i].solved, walls[i].relaxed});
+      if (walls[i].bears()) append(carried_walls_, {walls[i].a, walls[i].solved, walls[i].relaxed});
     }
     old_first_[slot + 1] = static_cast<std::uint32_t>(carried_.size());
     old_first_wall_[slot + 1] = static_cast<std::uint32_t>(carried_walls_.size());
@@ -159,11 +162,12 @@ void ContactSet::sift_pair(const ContactBodies& bodies, const Period& period, Re
   const auto [a, b] = std::minmax(pair.a, pair.b);
   const Vector3<Real> apart = nearest_image(bodies.position.at(b) - bodies.position.at(a), period);
   const Vector3<Real> way_a = step * bodies.velocity.at(a), way_b = step * bodies.velocity.at(b);
-  const Real reach = (bodies.radius[a] + bodies.radius[b]) * (1 + margin);
-  if (come_within(apart, way_b - way_a, reach)) return near.push_back({a, b});
+  const Real reach = (bodies.radius[a] + bodies.radius[b]) * (1 + margin), farthest = reach + swept[a] + swept[b];
+  if (dot(apart, apart) > farthest * farthest) return;
+  if (come_within(apart, way_b - way_a, reach)) return append(near, {a, b});
   const bool a_first = swept[a] >= swept[b];
   const Real off = a_first ? distance_from_segment(apart, way_a) : distance_from_segment(Real(-1) * apart, way_b);
-  if (off <= reach + std::min(swept[a], swept[b])) watched.push_back({a, b});
+  if (off <= reach + std::min(swept[a], swept[b])) append(watched, {a, b});
 }
 
 /// Sorts the contacts by their slots: counted by the first, then each short list by the second.
@@ -241,70 +245,48 @@ void ContactSet::fill(const ContactBodies& bodies, const LawTable& laws, Workers
   });
 }
 
-/// Each body against each wall: there are few walls.
+/// Each body against each wall: there are few walls. Blocks of slots list what is near; then each writes its part.
 void ContactSet::find_walls(const ContactBodies& bodies, const std::vector<Wall>& shapes,
-                            const std::vector<WallMoment>& moments, const LawTable& laws, Real step, Real margin) {
-  walls.clear();
+                            const std::vector<WallMoment>& moments, const LawTable& laws, Real step, Real margin,
+                            Workers& workers) {
+  const std::size_t blocks = (bodies.count + block_length - 1) / block_length;
+  near_walls_.resize(blocks);
   first_wall_of_slot.assign(bodies.count + 1, 0);
-  for (std::size_t slot = 0; slot < bodies.count; ++slot) {
-    first_wall_of_slot[slot] = static_cast<std::uint32_t>(walls.size());
-    for (std::size_t w = 0; w < shapes.size(); ++w) {
-      const Real radius = bodies.radius[slot];
-      const Real reach = margin * radius + swept[slot] + step * static_cast<Real>(shapes[w].motion.top_speed());
-      if (!(shapes[w].distance(bodies.position.at(slot) - moments[w].offset, radius) <= reach)) continue;
-      Contact contact;
-      contact.a = static_cast<std::uint32_t>(w);
-      contact.b = static_cast<std::uint32_t>(slot);
-      contact.friction = laws.of(shapes[w].material, bodies.material[slot]).friction;
-      contact.normal_mass = 1 / bodies.inverse_mass[slot];
-      contact.tangent_mass = 1 / (bodies.inverse_mass[slot] + bodies.mobility[slot]);
-      for (std::uint32_t old = slot + 1 < old_first_wall_.size() ? old_first_wall_[slot] : 0,
-                         end = slot + 1 < old_first_wall_.size() ? old_first_wall_[slot + 1] : 0;
-           old < end; ++old) {
-        if (carried_walls_[old].other != w) continue;
-        contact.solved = carried_walls_[old].solved;
-        contact.relaxed = carried_walls_[old].relaxed;
+  workers.for_each(blocks, [&](std::size_t block) {
+    near_walls_[block].clear();
+    for (std::size_t slot = block * block_length; slot < std::min((block + 1) * block_length, bodies.count); ++slot) {
+      for (std::size_t w = 0; w < shapes.size(); ++w) {
+        const Real radius = bodies.radius[slot];
+        const Real reach = margin * radius + swept[slot] + step * static_cast<Real>(shapes[w].motion.top_speed());
+        if (!(shapes[w].distance(bodies.position.at(slot) - moments[w].offset, radius) <= reach)) continue;
+        append(near_walls_[block], {static_cast<std::uint32_t>(w), static_cast<std::uint32_t>(slot)});
+        ++first_wall_of_slot[slot + 1];
       }
-      walls.push_back(contact);
     }
+  });
+  for (std::size_t slot = 0; slot < bodies.count; ++slot) first_wall_of_slot[slot + 1] += first_wall_of_slot[slot];
+  resize(walls, first_wall_of_slot[bodies.count]);
+  workers.for_each(blocks, [&](std::size_t block) {
+    std::size_t at = first_wall_of_slot[block * block_length];
+    for (const Pair& near : near_walls_[block]) walls[at++] = wall_contact(bodies, shapes, laws, near.a, near.b);
+  });
+}
+
+Contact ContactSet::wall_contact(const ContactBodies& bodies, const std::vector<Wall>& shapes, const LawTable& laws,
+                                 std::uint32_t wall, std::uint32_t slot) const {
+  Contact contact;
+  contact.a = wall;
+  contact.b = slot;
+  contact.friction = laws.of(shapes[wall].material, bodies.material[slot]).friction;
+  contact.normal_mass = 1 / bodies.inverse_mass[slot];
+  contact.tangent_mass = 1 / (bodies.inverse_mass[slot] + bodies.mobility[slot]);
+  if (slot + 1 >= old_first_wall_.size()) return contact;
+  for (std::uint32_t old = old_first_wall_[slot]; old < old_first_wall_[slot + 1]; ++old) {
+    if (carried_walls_[old].other != wall) continue;
+    contact.solved = carried_walls_[old].solved;
+    contact.relaxed = carried_walls_[old].relaxed;
   }
-  first_wall_of_slot[bodies.count] = static_cast<std::uint32_t>(walls.size());
-}
-
-std::vector<ContactSet::Saved> ContactSet::saved_pairs() const {
-  std::vector<Saved> list;
-  for (const std::uint32_t at : place) list.push_back({pairs[at].a, pairs[at].b, pairs[at].solved, pairs[at].relaxed});
-  return list;
-}
-
-std::vector<ContactSet::Saved> ContactSet::saved_walls() const {
-  std::vector<Saved> list;
-  for (const Contact& contact : walls) list.push_back({contact.a, contact.b, contact.solved, contact.relaxed});
-  return list;
-}
-
-/// As if these were the contacts of the last step: the next one takes its impulses from them.
-void ContactSet::restore(const std::vector<Saved>& saved_pairs, const std::vector<Saved>& saved_walls,
-                         std::size_t slots) {
-  const auto take = [](const std::vector<Saved>& saved, std::vector<Contact>& list) {
-    list.assign(saved.size(), {});
-    for (std::size_t i = 0; i < saved.size(); ++i) {
-      list[i].a = saved[i].a, list[i].b = saved[i].b;
-      list[i].solved = saved[i].solved, list[i].relaxed = saved[i].relaxed;
-    }
-  };
-  const auto count = [&](const std::vector<Saved>& saved, std::vector<std::uint32_t>& first, auto slot_of) {
-    first.assign(slots + 1, 0);
-    for (const Saved& contact : saved) ++first[slot_of(contact) + 1];
-    for (std::size_t slot = 0; slot < slots; ++slot) first[slot + 1] += first[slot];
-  };
-  take(saved_pairs, pairs);
-  take(saved_walls, walls);
-  count(saved_pairs, first_of_slot, [](const Saved& contact) { return contact.a; });
-  count(saved_walls, first_wall_of_slot, [](const Saved& contact) { return contact.b; });
-  place.resize(pairs.size());
-  other_.resize(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) place[i] = static_cast<std::uint32_t>(i), other_[i] = pairs[i].b;
+  return contact;
 }
 
 std::size_t ContactSet::bytes() const {
@@ -316,6 +298,7 @@ std::size_t ContactSet::bytes() const {
                     capacity_bytes(old_first_wall_);
   for (const auto& list : near_) sum += capacity_bytes(list);
   for (const auto& list : watched_) sum += capacity_bytes(list);
+  for (const auto& list : near_walls_) sum += capacity_bytes(list);
   return sum;
 }
 

@@ -96,7 +96,9 @@ class ContactSet {
   void colour(std::size_t slots);
   void fill(const ContactBodies& bodies, const LawTable& laws, Workers& workers);
   void find_walls(const ContactBodies& bodies, const std::vector<Wall>& shapes, const std::vector<WallMoment>& moments,
-                  const LawTable& laws, Real step, Real margin);
+                  const LawTable& laws, Real step, Real margin, Workers& workers);
+  Contact wall_contact(const ContactBodies& bodies, const std::vector<Wall>& shapes, const LawTable& laws,
+                       std::uint32_t wall, std::uint32_t slot) const;
 
   Grid grid_;
   std::vector<Real> grid_radius_;
@@ -105,7 +107,8 @@ class ContactSet {
   std::size_t lists_ = 0;                ///< of candidates in this step: blocks of each copy, and fast bodies
   std::vector<std::vector<Pair>> near_;  ///< contacts of each block of candidates
   std::vector<std::vector<WatchedPair>> watched_;
-  std::vector<std::uint32_t> other_;  ///< in the order of slots: b of each pair
+  std::vector<std::uint32_t> other_;           ///< in the order of slots: b of each pair
+  std::vector<std::vector<Pair>> near_walls_;  ///< wall and slot, of each block of slots
   std::vector<std::uint8_t> colour_;
   std::vector<std::uint64_t> used_;                        ///< colours of each slot
   std::vector<Carried> carried_, carried_walls_;           ///< impulses of the step before, in the order of slots

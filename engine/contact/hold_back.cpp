@@ -1,6 +1,7 @@
 // The last line against tunnelling: a body that contacts have deflected may meet one that it was not going to meet. Its
 // motion then ends where they touch; it keeps its velocity, and the next step finds the contact.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "engine/contact/impulse_solver.h"
@@ -12,17 +13,17 @@ constexpr int most_passes = 8;
 }
 
 /// Marks the bodies that leave the way they were expected to go, and ends motions where nothing was looked for.
-bool ImpulseSolver::find_deflected(Real substep, Workers&) {
-  bool any = false;
-  for (std::size_t i = 0; i < bodies.count; ++i) {
+bool ImpulseSolver::find_deflected(Real substep, Workers& workers) {
+  std::atomic<bool> any = false;
+  for_slots(workers, [&](std::size_t i) {
     const Vector3<Real> from_start = bodies.position.at(i) - start_.at(i), motion = substep * movers_[i].velocity;
     const Vector3<Real> off = from_start + motion - elapsed_ * planned_.at(i);
     const Real free = settings.margin * bodies.radius[i];
     deflected_[i] = dot(off, off) > free * free;
-    if (!deflected_[i]) continue;
-    any = true;
+    if (!deflected_[i]) return;
+    any.store(true, std::memory_order_relaxed);
     share_[i] = moment_beyond(from_start, motion, set_.swept[i] + free);
-  }
+  });
   return any;
 }
 

@@ -71,7 +71,9 @@ void Impacts::resolve(const Substep& substep, ContactSet& set, const std::vector
     meetings_.clear();
     for (const Index index : next_) {
       Meeting meeting;
-      if (approaches(substep, set, index, meeting)) meetings_.push_back(meeting);
+      if (!approaches(substep, set, index, meeting)) continue;
+      if (meetings_.size() == meetings_.capacity()) meetings_.reserve(meetings_.size() * 5 / 4 + 64);
+      meetings_.push_back(meeting);
     }
     if (meetings_.empty()) return;
     keep_first();

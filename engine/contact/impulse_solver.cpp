@@ -8,7 +8,7 @@ namespace ballpark::BALLPARK_PRECISION {
 
 namespace {
 
-constexpr std::size_t contacts_per_task = 512, slots_per_task = 2048;
+constexpr std::size_t contacts_per_task = 512;
 
 std::size_t tasks(std::size_t items, std::size_t per_task) {
   return (items + per_task - 1) / per_task;
@@ -110,15 +110,6 @@ void ImpulseSolver::prepare(Real substep, Workers& workers) {
     }
   });
   for (const Real depth : block_maximum_) counters_.deepest = std::max(counters_.deepest, depth);
-}
-
-template <class Act>
-void ImpulseSolver::for_slots(Workers& workers, Act act) const {
-  const std::size_t count = bodies.count;
-  const auto task = [&](std::size_t t) {
-    for (std::size_t i = t * slots_per_task; i < std::min((t + 1) * slots_per_task, count); ++i) act(i);
-  };
-  workers.for_each(tasks(count, slots_per_task), task, count <= slots_per_task ? 1 : workers.threads());
 }
 
 /// Velocity over the substep's smooth motion.

@@ -2,6 +2,8 @@
 // impacts are taken at the start of the substep in which the surfaces meet.
 #pragma once
 
+#include <algorithm>
+
 #include "engine/contact/impacts.h"
 #include "engine/contact/rows.h"
 
@@ -29,6 +31,8 @@ struct ContactCounters {
   Real deepest = 0;                      ///< overlap at the start of a substep [m]
   Real residual = 0;  ///< largest error in a normal speed that the last update found [m/s], last substep
 };
+
+inline constexpr std::size_t slots_per_task = 2048;
 
 class ImpulseSolver {
  public:
@@ -72,8 +76,15 @@ class ImpulseSolver {
   bool settles(const Contact& contact, std::uint8_t mark, bool wall) const;
   void choose_held(Workers& workers);
   void advance_bodies(Real substep, Workers& workers);
+  /// act(slot) for all, on all threads.
   template <class Act>
-  void for_slots(Workers& workers, Act act) const;
+  void for_slots(Workers& workers, Act act) const {
+    const std::size_t count = bodies.count, tasks = (count + slots_per_task - 1) / slots_per_task;
+    const auto task = [&](std::size_t t) {
+      for (std::size_t i = t * slots_per_task; i < std::min((t + 1) * slots_per_task, count); ++i) act(i);
+    };
+    workers.for_each(tasks, task, tasks < 2 ? 1 : workers.threads());
+  }
   template <bool friction>
   void settle(Workers& workers);
   void finish(Workers& workers);

@@ -17,6 +17,42 @@ struct Head {
 
 }  // namespace
 
+std::vector<ContactSet::Saved> ContactSet::saved_pairs() const {
+  std::vector<Saved> list;
+  for (const std::uint32_t at : place) list.push_back({pairs[at].a, pairs[at].b, pairs[at].solved, pairs[at].relaxed});
+  return list;
+}
+
+std::vector<ContactSet::Saved> ContactSet::saved_walls() const {
+  std::vector<Saved> list;
+  for (const Contact& contact : walls) list.push_back({contact.a, contact.b, contact.solved, contact.relaxed});
+  return list;
+}
+
+/// As if these were the contacts of the last step: the next one takes its impulses from them.
+void ContactSet::restore(const std::vector<Saved>& saved_pairs, const std::vector<Saved>& saved_walls,
+                         std::size_t slots) {
+  const auto take = [](const std::vector<Saved>& saved, std::vector<Contact>& list) {
+    list.assign(saved.size(), {});
+    for (std::size_t i = 0; i < saved.size(); ++i) {
+      list[i].a = saved[i].a, list[i].b = saved[i].b;
+      list[i].solved = saved[i].solved, list[i].relaxed = saved[i].relaxed;
+    }
+  };
+  const auto count = [&](const std::vector<Saved>& saved, std::vector<std::uint32_t>& first, auto slot_of) {
+    first.assign(slots + 1, 0);
+    for (const Saved& contact : saved) ++first[slot_of(contact) + 1];
+    for (std::size_t slot = 0; slot < slots; ++slot) first[slot + 1] += first[slot];
+  };
+  take(saved_pairs, pairs);
+  take(saved_walls, walls);
+  count(saved_pairs, first_of_slot, [](const Saved& contact) { return contact.a; });
+  count(saved_walls, first_wall_of_slot, [](const Saved& contact) { return contact.b; });
+  place.resize(pairs.size());
+  other_.resize(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) place[i] = static_cast<std::uint32_t>(i), other_[i] = pairs[i].b;
+}
+
 std::vector<std::byte> ImpulseSolver::save() const {
   const std::vector<Saved> pairs = set_.saved_pairs(), touching = set_.saved_walls();
   const Head head{pairs.size(), touching.size(), last_substep_};

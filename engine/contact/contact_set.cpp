@@ -1,6 +1,7 @@
 #include "engine/contact/contact_set.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -251,13 +252,15 @@ void ContactSet::find_walls(const ContactBodies& bodies, const std::vector<Wall>
                             Workers& workers) {
   const std::size_t blocks = (bodies.count + block_length - 1) / block_length;
   near_walls_.resize(blocks);
+  wall_ways_.clear();
+  for (const Wall& wall : shapes) wall_ways_.push_back(step * static_cast<Real>(wall.motion.top_speed()));
   first_wall_of_slot.assign(bodies.count + 1, 0);
   workers.for_each(blocks, [&](std::size_t block) {
     near_walls_[block].clear();
     for (std::size_t slot = block * block_length; slot < std::min((block + 1) * block_length, bodies.count); ++slot) {
       for (std::size_t w = 0; w < shapes.size(); ++w) {
         const Real radius = bodies.radius[slot];
-        const Real reach = margin * radius + swept[slot] + step * static_cast<Real>(shapes[w].motion.top_speed());
+        const Real reach = margin * radius + swept[slot] + wall_ways_[w];
         if (!(shapes[w].distance(bodies.position.at(slot) - moments[w].offset, radius) <= reach)) continue;
         append(near_walls_[block], {static_cast<std::uint32_t>(w), static_cast<std::uint32_t>(slot)});
         ++first_wall_of_slot[slot + 1];

@@ -2,7 +2,6 @@
 // coloured so that contacts of one colour share no body.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -78,7 +77,6 @@ class ContactSet {
 
   std::size_t watched_blocks() const { return watched_.size(); }
   std::span<const WatchedPair> watched(std::size_t block) const { return watched_[block]; }
-  const Grid& grid() const { return grid_; }
   std::size_t bytes() const;
 
  private:
@@ -108,6 +106,7 @@ class ContactSet {
   std::vector<std::vector<Pair>> near_;  ///< contacts of each block of candidates
   std::vector<std::vector<WatchedPair>> watched_;
   std::vector<std::uint32_t> other_;           ///< in the order of slots: b of each pair
+  std::vector<Real> wall_ways_;                ///< farthest that each wall may go in the step [m]
   std::vector<std::vector<Pair>> near_walls_;  ///< wall and slot, of each block of slots
   std::vector<std::uint8_t> colour_;
   std::vector<std::uint64_t> used_;                        ///< colours of each slot

@@ -16,8 +16,8 @@ constexpr std::uint32_t most_spent = 128;
 /// Approaches this much slower than the impact that set their bodies in motion are left to the solver: a series of
 /// ever smaller bounces ends here.
 constexpr Real negligible = std::max(Real(1e-9), 8 * std::numeric_limits<Real>::epsilon());
-/// Updates of a set: as many as it takes, but large sets share a budget.
 constexpr std::size_t sets_per_task = 64;
+/// Updates of a set: as many as it takes, but large sets share a budget.
 constexpr std::size_t most_updates = 400, update_budget = 8192, least_updates = 4;
 
 std::size_t contact_index(const std::vector<Contact>& list, const Contact& contact) {

@@ -58,7 +58,6 @@ class ImpulseSolver {
 
   const ContactCounters& counters() const { return counters_; }
   ContactCounters& counters() { return counters_; }
-  const ContactSet& contacts() const { return set_; }
   std::size_t bytes() const;
 
  private:

@@ -1,6 +1,5 @@
 #include "engine/world/contact_step.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/core/maths.h"
@@ -79,37 +78,41 @@ void ContactStep::for_ranges(const std::vector<Group>& groups, Workers& workers,
   workers.for_each(ranges.size(), task, ranges.size() < 4 ? 1 : workers.threads());
 }
 
-void ContactStep::read_start(const std::vector<Group>& groups, Workers& workers) {
-  ContactBodies& bodies = solver.bodies;
+/// The state columns as they are now, into these columns of the slots.
+void ContactStep::read(const std::vector<Group>& groups, Workers& workers, VectorColumn& position,
+                       VectorColumn& velocity, VectorColumn& surface) {
   for_ranges(groups, workers, [&](const Group& group, std::size_t row, std::size_t slot, Real per_momentum) {
     const StateColumns& state = group.kernel.state;
-    bodies.position.put(slot, at(state.position, row));
-    bodies.velocity.put(slot, at(state.velocity, row));
-    if (per_momentum > 0) bodies.surface.put(slot, per_momentum * at(state.momentum, row));
+    position.put(slot, at(state.position, row));
+    velocity.put(slot, at(state.velocity, row));
+    if (per_momentum > 0) surface.put(slot, per_momentum * at(state.momentum, row));
   });
+}
+
+void ContactStep::read_start(const std::vector<Group>& groups, Workers& workers) {
+  ContactBodies& bodies = solver.bodies;
+  read(groups, workers, bodies.position, bodies.velocity, bodies.surface);
 }
 
 void ContactStep::read_trial(const std::vector<Group>& groups, Workers& workers) {
   ContactBodies& bodies = solver.bodies;
-  for_ranges(groups, workers, [&](const Group& group, std::size_t row, std::size_t slot, Real per_momentum) {
-    const StateColumns& state = group.kernel.state;
-    bodies.end_position.put(slot, at(state.position, row));
-    bodies.end_velocity.put(slot, at(state.velocity, row));
-    if (per_momentum > 0) bodies.end_surface.put(slot, per_momentum * at(state.momentum, row));
-  });
+  read(groups, workers, bodies.end_position, bodies.end_velocity, bodies.end_surface);
 }
 
 std::size_t ContactStep::count_outside(const std::vector<Group>& groups, double time) const {
+  std::vector<Vector3<Real>> offsets;
+  for (const Wall& wall : solver.walls) {
+    const Vector3<double> moved = wall.motion.displacement(time);
+    offsets.push_back({static_cast<Real>(moved.x), static_cast<Real>(moved.y), static_cast<Real>(moved.z)});
+  }
   std::size_t count = 0;
   for (const SlotRange& range : ranges) {
     const StateColumns& state = groups[range.group].kernel.state;
     for (std::size_t i = 0; i < range.count; ++i) {
       const Vector3<Real> x = at(state.position, range.first_row + i);
-      count += std::any_of(solver.walls.begin(), solver.walls.end(), [&](const Wall& wall) {
-        const Vector3<double> moved = wall.motion.displacement(time);
-        const Vector3<Real> offset{static_cast<Real>(moved.x), static_cast<Real>(moved.y), static_cast<Real>(moved.z)};
-        return wall.distance(x - offset, 0) < 0;
-      });
+      bool outside = false;
+      for (std::size_t w = 0; w < offsets.size(); ++w) outside |= solver.walls[w].distance(x - offsets[w], 0) < 0;
+      count += outside;
     }
   }
   return count;

@@ -36,6 +36,8 @@ class ContactStep {
   void write(const std::vector<Group>& groups, Workers& workers) const;
 
  private:
+  void read(const std::vector<Group>& groups, Workers& workers, VectorColumn& position, VectorColumn& velocity,
+            VectorColumn& surface);
   template <class Act>
   void for_ranges(const std::vector<Group>& groups, Workers& workers, Act act) const;
 };

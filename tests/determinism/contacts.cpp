@@ -13,9 +13,9 @@ using ballpark::Scene;
 using ballpark::World;
 
 #ifdef BALLPARK_SANITIZE  // which takes many times as long: two blocks of bodies, not three
-constexpr std::size_t layers = 4;
+constexpr std::size_t heap_layers = 4;
 #else
-constexpr std::size_t layers = 8;
+constexpr std::size_t heap_layers = 8;
 #endif
 
 /// Balls packed so that all touch at once, thrown at the floor of a box.
@@ -49,7 +49,7 @@ Scene heap(std::size_t layers) {
 }  // namespace
 
 TEST_CASE("Contacts: the same bits for threads and targets, over several blocks", "[bits]") {
-  const Scene scene = heap(layers);
+  const Scene scene = heap(heap_layers);
   for (const Precision precision : {Precision::double_, Precision::single_}) {
     const std::uint64_t plain =
         scenarios::hash_after(scene, {.threads = 1, .target = "base", .precision = precision}, 12);

@@ -31,10 +31,15 @@ const std::vector<NamedDescription>& boundary_shapes() {
 }
 
 const std::vector<NamedDescription>& contacts() {
-  static const std::vector<NamedDescription> all = {{"impulse",
-                                                     "hard contact with restitution and Coulomb friction: generalised "
-                                                     "reflections, then a velocity-level solver; large "
-                                                     "steps, first order whatever the integrator"}};
+  static const std::vector<NamedDescription> all = {
+      {"impulse",
+       "hard contact with restitution and Coulomb friction: generalised "
+       "reflections, then a velocity-level solver; large "
+       "steps, first order whatever the integrator"},
+      {"penalty",
+       "soft contact by springs and dashpots with Coulomb friction: "
+       "forces in the integrator's own stages; small steps, converges "
+       "with the integrator up to the kink where contacts begin and end"}};
   return all;
 }
 

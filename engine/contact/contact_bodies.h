@@ -6,21 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/kernels/vector3.h"
+#include "engine/collide/vector_column.h"
 
 namespace ballpark::BALLPARK_PRECISION {
-
-/// One vector for each slot.
-struct VectorColumn {
-  std::vector<Real> x, y, z;
-
-  void resize(std::size_t n) {
-    for (auto* values : {&x, &y, &z}) values->resize(n);
-  }
-  Vector3<Real> at(std::size_t i) const { return {x[i], y[i], z[i]}; }
-  void put(std::size_t i, const Vector3<Real>& a) { x[i] = a.x, y[i] = a.y, z[i] = a.z; }
-  std::size_t bytes() const { return (x.capacity() + y.capacity() + z.capacity()) * sizeof(Real); }
-};
 
 struct ContactBodies {
   std::size_t count = 0;
@@ -41,7 +29,8 @@ struct ContactBodies {
   VectorColumn end_position, end_velocity, end_surface;
   VectorColumn turned;  ///< if `turns`: what contacts add to the rotation of the substep, times R [m]
 
-  void resize(std::size_t n);
+  /// `solved`: does a solver need the end of a substep, too?
+  void resize(std::size_t n, bool solved);
   std::size_t bytes() const;
 };
 

@@ -40,11 +40,13 @@ Real distance_from_segment(const Vector3<Real>& point, const Vector3<Real>& segm
 
 }  // namespace
 
-void ContactBodies::resize(std::size_t n) {
+void ContactBodies::resize(std::size_t n, bool solved) {
   count = n;
   for (auto* values : {&radius, &inverse_mass, &mobility}) values->resize(n);
   material.resize(n);
-  for (auto* column : {&position, &velocity, &surface, &end_position, &end_velocity, &end_surface}) column->resize(n);
+  for (auto* column : {&position, &velocity, &surface}) column->resize(n);
+  if (!solved) return;
+  for (auto* column : {&end_position, &end_velocity, &end_surface}) column->resize(n);
 }
 
 std::size_t ContactBodies::bytes() const {

@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "engine/collide/grid.h"
-#include "engine/contact/contact_bodies.h"
-#include "engine/contact/impact.h"
-#include "engine/contact/wall.h"
+#include "engine/contact/contact_scene.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -37,14 +35,6 @@ struct Contact {
 
 /// Two slots whose surfaces are far enough apart to need no contact, unless one of them is deflected.
 using WatchedPair = Pair;
-
-/// Laws of all pairs of materials.
-struct LawTable {
-  std::vector<ImpactLaw> laws;  ///< of materials i and j: i * materials + j
-  std::size_t materials = 0;
-
-  const ImpactLaw& of(std::uint16_t i, std::uint16_t j) const { return laws[i * materials + j]; }
-};
 
 class ContactSet {
  public:

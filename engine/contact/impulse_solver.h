@@ -34,13 +34,9 @@ struct ContactCounters {
 
 inline constexpr std::size_t slots_per_task = 2048;
 
-class ImpulseSolver {
+class ImpulseSolver : public ContactScene {
  public:
   ImpulseSettings settings;
-  std::vector<Wall> walls;
-  LawTable laws;
-  Period period;
-  ContactBodies bodies;
 
   /// Contacts of a step of length `step`, from bodies at its start.
   void find(double time, Real step, Workers& workers);

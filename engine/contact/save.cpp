@@ -1,8 +1,9 @@
-// Impulses between steps as bytes: a run goes on from a snapshot with the same bits.
+// What contacts remember between steps as bytes: a run goes on from a snapshot with the same bits.
 #include <algorithm>
 #include <cstring>
 
 #include "engine/contact/impulse_solver.h"
+#include "engine/contact/penalty.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -14,6 +15,39 @@ struct Head {
   std::uint64_t pairs = 0, walls = 0;
   Real last_substep = 0;
 };
+
+template <class Item>
+std::vector<std::byte> packed(Real last_substep, const std::vector<Item>& pairs, const std::vector<Item>& walls) {
+  const Head head{pairs.size(), walls.size(), last_substep};
+  std::vector<std::byte> bytes(sizeof head + (pairs.size() + walls.size()) * sizeof(Item));
+  std::memcpy(bytes.data(), &head, sizeof head);
+  std::byte* at = bytes.data() + sizeof head;
+  if (!pairs.empty()) std::memcpy(at, pairs.data(), pairs.size() * sizeof(Item));
+  if (!walls.empty()) std::memcpy(at + pairs.size() * sizeof(Item), walls.data(), walls.size() * sizeof(Item));
+  return bytes;
+}
+
+/// False if the bytes are not the items of these bodies and walls, in their order.
+template <class Item>
+bool unpack(const std::vector<std::byte>& bytes, const ContactScene& scene, Real& last_substep,
+            std::vector<Item>& pairs, std::vector<Item>& walls) {
+  Head head;
+  if (bytes.size() < sizeof head) return false;
+  std::memcpy(&head, bytes.data(), sizeof head);
+  const std::size_t room = (bytes.size() - sizeof head) / sizeof(Item);
+  if (head.pairs > room || head.walls != room - head.pairs) return false;
+  pairs.resize(head.pairs), walls.resize(head.walls);
+  const std::byte* at = bytes.data() + sizeof head;
+  if (!pairs.empty()) std::memcpy(pairs.data(), at, pairs.size() * sizeof(Item));
+  if (!walls.empty()) std::memcpy(walls.data(), at + pairs.size() * sizeof(Item), walls.size() * sizeof(Item));
+  last_substep = head.last_substep;
+  const auto sorted = [](const Item& x, const Item& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
+  const auto by_slot = [](const Item& x, const Item& y) { return x.b != y.b ? x.b < y.b : x.a < y.a; };
+  const std::size_t slots = scene.bodies.count, faces = scene.walls.size();
+  return std::all_of(pairs.begin(), pairs.end(), [&](const Item& c) { return c.a < c.b && c.b < slots; }) &&
+         std::all_of(walls.begin(), walls.end(), [&](const Item& c) { return c.a < faces && c.b < slots; }) &&
+         std::is_sorted(pairs.begin(), pairs.end(), sorted) && std::is_sorted(walls.begin(), walls.end(), by_slot);
+}
 
 }  // namespace
 
@@ -54,39 +88,32 @@ void ContactSet::restore(const std::vector<Saved>& saved_pairs, const std::vecto
 }
 
 std::vector<std::byte> ImpulseSolver::save() const {
-  const std::vector<Saved> pairs = set_.saved_pairs(), touching = set_.saved_walls();
-  const Head head{pairs.size(), touching.size(), last_substep_};
-  std::vector<std::byte> bytes(sizeof head + (pairs.size() + touching.size()) * sizeof(Saved));
-  std::memcpy(bytes.data(), &head, sizeof head);
-  std::byte* at = bytes.data() + sizeof head;
-  if (!pairs.empty()) std::memcpy(at, pairs.data(), pairs.size() * sizeof(Saved));
-  if (!touching.empty()) {
-    std::memcpy(at + pairs.size() * sizeof(Saved), touching.data(), touching.size() * sizeof(Saved));
-  }
-  return bytes;
+  return packed(last_substep_, set_.saved_pairs(), set_.saved_walls());
 }
 
 bool ImpulseSolver::restore(const std::vector<std::byte>& bytes) {
-  Head head;
-  if (bytes.size() < sizeof head) return false;
-  std::memcpy(&head, bytes.data(), sizeof head);
-  const std::size_t room = (bytes.size() - sizeof head) / sizeof(Saved);
-  if (head.pairs > room || head.walls != room - head.pairs) return false;
-  std::vector<Saved> pairs(head.pairs), touching(head.walls);
-  const std::byte* at = bytes.data() + sizeof head;
-  if (!pairs.empty()) std::memcpy(pairs.data(), at, pairs.size() * sizeof(Saved));
-  if (!touching.empty())
-    std::memcpy(touching.data(), at + pairs.size() * sizeof(Saved), touching.size() * sizeof(Saved));
-  const auto sorted = [](const Saved& x, const Saved& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
-  const auto by_slot = [](const Saved& x, const Saved& y) { return x.b != y.b ? x.b < y.b : x.a < y.a; };
-  const bool fits =
-      std::all_of(pairs.begin(), pairs.end(), [&](const Saved& c) { return c.a < c.b && c.b < bodies.count; }) &&
-      std::all_of(touching.begin(), touching.end(),
-                  [&](const Saved& c) { return c.a < walls.size() && c.b < bodies.count; }) &&
-      std::is_sorted(pairs.begin(), pairs.end(), sorted) && std::is_sorted(touching.begin(), touching.end(), by_slot);
-  if (!fits) return false;
+  std::vector<Saved> pairs, touching;
+  Real last_substep = 0;
+  if (!unpack(bytes, *this, last_substep, pairs, touching)) return false;
   set_.restore(pairs, touching, bodies.count);
-  last_substep_ = head.last_substep;
+  last_substep_ = last_substep;
+  return true;
+}
+
+std::vector<std::byte> Penalty::save() const {
+  if (was_restored_) return packed(0, known_.pairs, known_.walls);
+  Memories all;
+  remember(all);
+  return packed(0, all.pairs, all.walls);
+}
+
+/// The next step lists neighbours anew and gives them what they remember.
+bool Penalty::restore(const std::vector<std::byte>& bytes) {
+  Memories saved;
+  Real none = 0;
+  if (!unpack(bytes, *this, none, saved.pairs, saved.walls)) return false;
+  known_ = std::move(saved);
+  was_restored_ = true;
   return true;
 }
 

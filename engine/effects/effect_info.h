@@ -67,6 +67,12 @@ struct EffectInput {
 
   Real number(const std::string& name) const { return static_cast<Real>(exact(name)); }
   double exact(const std::string& name) const { return std::get<double>(parameters.at(name)); }
+  const std::vector<double>& numbers(const std::string& name) const {
+    return std::get<std::vector<double>>(parameters.at(name));
+  }
+  const std::vector<IdPair>& pairs(const std::string& name) const {
+    return std::get<std::vector<IdPair>>(parameters.at(name));
+  }
   Vector3<Real> vector(const std::string& name) const {
     const Vector3d& v = std::get<Vector3d>(parameters.at(name));
     return {static_cast<Real>(v.x()), static_cast<Real>(v.y()), static_cast<Real>(v.z())};

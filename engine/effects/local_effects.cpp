@@ -1,5 +1,7 @@
 #include "engine/effects/local_effects.h"
 
+#include "engine/effects/pair_effects.h"
+
 namespace ballpark::BALLPARK_PRECISION {
 
 namespace {
@@ -27,6 +29,7 @@ std::vector<EffectDescription> describe_effects() {
   std::vector<EffectDescription> all;
   for (const EffectInfo& info : local_effects()) all.push_back(info.description);
   all.push_back(Pivot::description());
+  for (const PairEffectInfo& info : pair_effects()) all.push_back(info.description);
   return all;
 }
 

@@ -18,8 +18,10 @@ bool all_isotropic(const BodyGroup& group) {
 /// Who needs the spin of this group, or turns it: the name of the first, "" if nobody.
 std::string spin_user(const Scene& scene, const BodyGroup& group, const std::vector<UserEffect>& users) {
   for (const Effect& effect : scene.effects) {
-    if (!acts_on(effect, group) || effect.kind == "pivot") continue;
-    const EffectInfo& info = local_effects()[static_cast<std::size_t>(local_effect_index(effect.kind))];
+    if (!acts_on(effect, group)) continue;
+    const int index = local_effect_index(effect.kind);
+    if (index < 0) continue;  // effects between bodies pull at their centres
+    const EffectInfo& info = local_effects()[static_cast<std::size_t>(index)];
     const auto offset = effect.parameters.find("offset");
     const bool turns = info.exerts("torque") &&
                        (effect.kind == "torque" ||
@@ -31,6 +33,14 @@ std::string spin_user(const Scene& scene, const BodyGroup& group, const std::vec
     if (user.needs_rotation && acts_on({.kind = {}, .groups = user.groups, .parameters = {}}, group)) return user.name;
   }
   return "";
+}
+
+/// The first effect between bodies, or nullptr.
+const Effect* pair_effect_of(const Scene& scene) {
+  for (const Effect& effect : scene.effects) {
+    if (pair_effect_index(effect.kind) >= 0) return &effect;
+  }
+  return nullptr;
 }
 
 bool is_kicked_off_centre(const Scene& scene, std::size_t first_id, std::size_t count) {
@@ -64,6 +74,8 @@ void Builder::build() {
     if (scene_.run.compensated) add_carry(group);
     if (!world_.fused_) add_scratch(group);
   }
+  add_pair_systems();
+  check_stability();
   add_blocks();
   add_events();
   add_contacts();
@@ -100,6 +112,12 @@ void Builder::check_options() {
   }
   if (options_.path == Path::fused && !world_.users_.empty()) {
     refuse("path", "user effects take the staged path, expected automatic or staged");
+  }
+  if (options_.path == Path::fused && scene_.contact.kind == "penalty") {
+    refuse("path", "penalty contacts take the staged path, expected automatic or staged");
+  }
+  if (options_.path == Path::fused && pair_effect_of(scene_)) {
+    refuse("path", pair_effect_of(scene_)->kind + " takes the staged path, expected automatic or staged");
   }
 }
 
@@ -231,6 +249,12 @@ void Builder::choose_path() {
   if (!world_.users_.empty()) {
     world_.fused_ = false;
     world_.path_reason_ = "user effects run as passes of their own";
+  } else if (const Effect* effect = pair_effect_of(scene_)) {
+    world_.fused_ = false;
+    world_.path_reason_ = effect->kind + " acts between bodies: their forces are summed in passes of their own";
+  } else if (scene_.contact.kind == "penalty") {
+    world_.fused_ = false;
+    world_.path_reason_ = "penalty contacts are forces between bodies: they are summed in passes of their own";
   } else if (options_.path == Path::staged) {
     world_.fused_ = false;
     world_.path_reason_ = "asked for; every effect is local, so the fused path would give the same bits faster";

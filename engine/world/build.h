@@ -9,6 +9,10 @@ namespace ballpark::BALLPARK_PRECISION {
 
 /// Does contact friction turn bodies of this group?
 bool has_friction(const Scene& scene, const BodyGroup& group);
+/// Does an effect between bodies act on this group?
+bool has_pair_effect(const Scene& scene, const BodyGroup& group);
+/// All numbers of an effect's parameters, by name: the order in which effects of one kind are summed.
+std::vector<double> numbers_of(const Effect& effect);
 
 class Builder {
  public:
@@ -25,13 +29,21 @@ class Builder {
   void fill_row(Group& group, std::size_t row, const Start& start);
   void repeat_last_row(Group& group);
   void add_effects(Group& group);
-  void check_stability(const Group& group, const Stiffness& stiffness);
+  double lightest(const Group& group) const;
+  void check_stability();
+  void check_stability(const std::string& whose, const Stiffness& per_mass);
   void add_carry(Group& group);
   void add_scratch(Group& group);
   void add_blocks();
   void add_events();
+  // build_pairs.cpp
+  void add_pair_systems();
+  void add_pair_system(const Effect& effect);
   // build_contacts.cpp
   void add_contacts();
+  void choose_impulse();
+  void choose_penalty();
+  void start_penalty();
   void describe_contacts(const std::vector<std::string>& materials);
   void add_walls(const std::vector<std::string>& materials);
   void add_slots(const std::vector<std::string>& materials);
@@ -45,6 +57,7 @@ class Builder {
   const Scene& scene_;
   const Options& options_;
   std::vector<Problem> problems_;
+  std::vector<std::pair<const Group*, Stiffness>> local_stiffness_;  ///< per mass [1/s^2, 1/s], of each group
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -10,8 +10,6 @@ namespace ballpark::BALLPARK_PRECISION {
 
 namespace {
 
-constexpr std::size_t range_length = 2048;  // slots of a task
-
 Vector3<Real> real(const Vector3d& a) {
   return {static_cast<Real>(a.x()), static_cast<Real>(a.y()), static_cast<Real>(a.z())};
 }
@@ -58,42 +56,76 @@ bool has_friction(const Scene& scene, const BodyGroup& group) {
 
 void Builder::add_contacts() {
   if (!touches(scene_)) return;
-  world_.contacts_ = std::make_unique<ContactStep>();
-  ImpulseSolver& solver = world_.contacts_->solver;
-  const ContactSettings& contact = scene_.contact;
-  world_.contacts_->substeps = contact.substeps;
-  world_.contact_method_ = method_for(*world_.row_, world_.step_ / contact.substeps);
-  solver.settings.iterations = contact.iterations;
-  solver.settings.relax_iterations = contact.relax_iterations;
-  solver.settings.margin = static_cast<Real>(contact.margin);
-  solver.settings.restitution_threshold = static_cast<Real>(contact.restitution_threshold);
+  scene_.contact.kind == "penalty" ? choose_penalty() : choose_impulse();
   const std::vector<std::string> names = materials_in_use(scene_);
-  solver.laws.materials = names.size();
+  LawTable& laws = world_.contacts_->scene().laws;
+  laws.materials = names.size();
   for (const std::string& a : names) {
     for (const std::string& b : names) {
       const Material law = law_between(scene_, a, b);
-      solver.laws.laws.push_back({static_cast<Real>(law.restitution), static_cast<Real>(law.friction)});
+      laws.laws.push_back({static_cast<Real>(law.restitution), static_cast<Real>(law.friction)});
     }
   }
   add_walls(names);
   add_slots(names);
+  if (world_.penalty_) start_penalty();
   describe_contacts(names);
+}
+
+void Builder::choose_impulse() {
+  auto made = std::make_unique<ImpulseStep>();
+  world_.impulse_ = made.get();
+  const ContactSettings& contact = scene_.contact;
+  made->substeps = contact.substeps;
+  world_.contact_method_ = method_for(*world_.row_, world_.step_ / contact.substeps);
+  ImpulseSettings& settings = made->solver.settings;
+  settings.iterations = contact.iterations;
+  settings.relax_iterations = contact.relax_iterations;
+  settings.margin = static_cast<Real>(contact.margin);
+  settings.restitution_threshold = static_cast<Real>(contact.restitution_threshold);
+  world_.contacts_ = std::move(made);
+}
+
+void Builder::choose_penalty() {
+  auto made = std::make_unique<PenaltyStep>();
+  world_.penalty_ = made.get();
+  const ContactSettings& contact = scene_.contact;
+  made->phases = world_.method_.phases;
+  PenaltySettings& settings = made->penalty.settings;
+  settings.stiffness = static_cast<Real>(contact.stiffness);
+  settings.slide_stiffness = static_cast<Real>(contact.stiffness * contact.tangential_stiffness);
+  settings.margin = static_cast<Real>(contact.margin);
+  settings.may_pull = contact.pull;
+  world_.contacts_ = std::move(made);
+}
+
+/// The step is held against a contact of the two bodies that swing fastest, or of one with a wall.
+void Builder::start_penalty() {
+  Penalty& penalty = world_.penalty_->penalty;
+  penalty.prepare();
+  const Penalty::Bound pair = penalty.stiffest_pair();
+  world_.watched_stiffness_ = {pair.spring, pair.damping};
+  if (world_.status_.code == Status::Code::ok) world_.judge_contacts(world_.watched_stiffness_, world_.step_);
 }
 
 void Builder::describe_contacts(const std::vector<std::string>& materials) {
   const ContactSettings& contact = scene_.contact;
-  const ImpulseSolver& solver = world_.contacts_->solver;
+  const ContactScene& made = world_.contacts_->scene();
   ContactReport& report = world_.contacts_->report;
-  report = {contact.kind,
-            contact.substeps,
-            contact.iterations,
-            contact.relax_iterations,
-            contact.margin,
-            solver.bodies.count,
-            solver.walls.size(),
-            solver.bodies.spins,
-            {},
-            0};
+  report.kind = contact.kind;
+  report.margin = contact.margin;
+  report.bodies = made.bodies.count;
+  report.walls = made.walls.size();
+  report.friction = made.bodies.spins;
+  if (world_.impulse_) {
+    report.substeps = contact.substeps;
+    report.iterations = contact.iterations;
+    report.relax_iterations = contact.relax_iterations;
+  } else {
+    report.stiffness = contact.stiffness;
+    report.sliding_stiffness = contact.stiffness * contact.tangential_stiffness;
+    report.pull = contact.pull;
+  }
   for (std::size_t i = 0; i < materials.size(); ++i) {
     for (std::size_t j = i; j < materials.size(); ++j) {
       const bool of_bodies = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [&](const BodyGroup& body) {
@@ -109,11 +141,11 @@ void Builder::describe_contacts(const std::vector<std::string>& materials) {
 }
 
 void Builder::add_walls(const std::vector<std::string>& materials) {
-  ImpulseSolver& solver = world_.contacts_->solver;
+  ContactScene& made = world_.contacts_->scene();
   for (const Boundary& boundary : scene_.boundaries) {
     if (boundary.shape == "periodic") {
       for (int c = 0; c < 3; ++c) {
-        solver.period.length[c] = static_cast<Real>(boundary.size[c]);
+        made.period.length[c] = static_cast<Real>(boundary.size[c]);
         world_.contacts_->lower[c] = boundary.point[c] - boundary.size[c] / 2;
       }
       continue;
@@ -124,7 +156,7 @@ void Builder::add_walls(const std::vector<std::string>& materials) {
     wall.motion = motion_of(boundary);
     wall.belt = real(boundary.surface_velocity);
     if (boundary.shape == "box" && boundary.side == "inside") {
-      add_faces(boundary, wall, solver.walls);
+      add_faces(boundary, wall, made.walls);
       continue;
     }
     if (boundary.shape == "plane") wall.shape = plane_through(boundary.point, boundary.normal);
@@ -133,48 +165,40 @@ void Builder::add_walls(const std::vector<std::string>& materials) {
       wall.shape =
           Tube{real(boundary.point), real(boundary.normal.stableNormalized()), static_cast<Real>(boundary.radius)};
     }
-    solver.walls.push_back(wall);
+    made.walls.push_back(wall);
   }
 }
 
 /// Slots in the order of ids: copy by copy, group by group as in the scene.
 void Builder::add_slots(const std::vector<std::string>& materials) {
   ContactStep& contacts = *world_.contacts_;
-  ContactBodies& bodies = contacts.solver.bodies;
-  std::vector<std::size_t> touching;  // in the order of ids
+  ContactBodies& bodies = contacts.scene().bodies;
+  std::vector<std::size_t> touching;
   for (std::size_t g = 0; g < world_.groups_.size(); ++g) {
     const Group& group = world_.groups_[g];
     if (!scene_.bodies[group.scene_index].shape.empty() && group.per_copy > 0) touching.push_back(g);
   }
-  std::sort(touching.begin(), touching.end(), [&](std::size_t a, std::size_t b) {
-    return world_.groups_[a].scene_index < world_.groups_[b].scene_index;
-  });
   for (const std::size_t g : touching) bodies.per_copy += world_.groups_[g].per_copy;
-  bodies.resize(bodies.per_copy * world_.copies_);
-  std::size_t slot = 0;
-  for (std::size_t copy = 0; copy < world_.copies_; ++copy) {
-    for (const std::size_t g : touching) {
-      const Group& group = world_.groups_[g];
-      const BodyGroup& body = scene_.bodies[group.scene_index];
-      const bool spins = group.motion != MotionKind::point && has_friction(scene_, body);
-      bodies.spins |= spins;
-      bodies.turns |= spins && group.turns();
-      const auto material =
-          static_cast<std::uint16_t>(std::find(materials.begin(), materials.end(), body.material) - materials.begin());
-      for (std::size_t first = 0; first < group.per_copy; first += range_length) {
-        contacts.ranges.push_back(
-            {g, copy * group.per_copy + first, slot + first, std::min(range_length, group.per_copy - first)});
-      }
-      for (std::size_t i = 0; i < group.per_copy; ++i, ++slot) {
-        const double radius = row_or(body.radius, i, 0.0), moment = inertia_of(body, i).x();
-        bodies.radius[slot] = static_cast<Real>(radius);
-        bodies.inverse_mass[slot] = static_cast<Real>(1 / mass_of(body, i));
-        bodies.mobility[slot] = spins ? static_cast<Real>(radius * radius / moment) : Real(0);
-        bodies.material[slot] = material;
-      }
+  bodies.resize(bodies.per_copy * world_.copies_, world_.impulse_ != nullptr);
+  contacts.ranges = slot_ranges(world_.groups_, touching, world_.copies_);
+  for (const SlotRange& range : contacts.ranges) {
+    const Group& group = world_.groups_[range.group];
+    const BodyGroup& body = scene_.bodies[group.scene_index];
+    const bool spins = group.motion != MotionKind::point && has_friction(scene_, body);
+    bodies.spins |= spins;
+    bodies.turns |= spins && group.turns();
+    const auto material =
+        static_cast<std::uint16_t>(std::find(materials.begin(), materials.end(), body.material) - materials.begin());
+    for (std::size_t k = 0; k < range.count; ++k) {
+      const std::size_t i = (range.first_row + k) % group.per_copy, slot = range.first_slot + k;
+      const double radius = row_or(body.radius, i, 0.0), moment = inertia_of(body, i).x();
+      bodies.radius[slot] = static_cast<Real>(radius);
+      bodies.inverse_mass[slot] = static_cast<Real>(1 / mass_of(body, i));
+      bodies.mobility[slot] = spins ? static_cast<Real>(radius * radius / moment) : Real(0);
+      bodies.material[slot] = material;
     }
   }
-  if (bodies.turns) bodies.turned.resize(bodies.count);
+  if (bodies.turns && world_.impulse_) bodies.turned.resize(bodies.count);
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -47,7 +47,7 @@ const Effect* pivot_of(const Scene& scene, const BodyGroup& group);
 /// Mass of a body [kg], from mass or density; principal moments [kg m^2], zero for a particle.
 double mass_of(const BodyGroup& group, std::size_t body);
 Vector3d inertia_of(const BodyGroup& group, std::size_t body);
-/// The effect's parameters with defaults filled in, `vectors` always as rows.
+/// The effect's parameters with defaults filled in, `vectors` and `numbers` always as rows.
 std::map<std::string, Value> complete_parameters(const Effect& effect, const EffectDescription& description);
 const EffectDescription* find_effect(const std::string& kind);
 

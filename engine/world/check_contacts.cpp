@@ -17,6 +17,9 @@ std::vector<std::string> names_of(const std::vector<NamedDescription>& list) {
   return names;
 }
 
+/// Of a dashpot that does not pull, at a damping ratio of 10: exp(-b/s ln((b + s)/(b - s))), s = sqrt(b^2 - 1).
+constexpr double least_restitution = 0.0025;
+
 struct ContactCheck {
   const Scene& scene;
   Problems& problems;
@@ -136,6 +139,7 @@ struct ContactCheck {
       if (n < least || n > 100000)
         problems.add(path, fmt::format("is {}, expected a number from {} to 100000", n, least));
     };
+    check_formulation();
     count("contact.substeps", contact.substeps, 1);
     count("contact.iterations", contact.iterations, 1);
     count("contact.relax_iterations", contact.relax_iterations, 1);
@@ -143,6 +147,49 @@ struct ContactCheck {
     if (!(contact.margin >= 0.01 && contact.margin <= 10)) {
       problems.add("contact.margin",
                    fmt::format("is {}, expected a number of radii from 0.01 to 10", text(contact.margin)));
+    }
+  }
+
+  /// Settings of one formulation mean nothing to the other.
+  void check_formulation() {
+    const ContactSettings& contact = scene.contact;
+    const ContactSettings unset;
+    const bool penalty = contact.kind == "penalty";
+    const auto foreign = [&](const char* key, bool given) {
+      if (given)
+        problems.add(std::string("contact.") + key,
+                     "is given, which contact.kind = \"" + contact.kind + "\" does not have");
+    };
+    if (contact.kind.empty()) return;
+    foreign(penalty ? "substeps" : "stiffness", penalty ? contact.substeps != unset.substeps : contact.stiffness != 0);
+    foreign("iterations", penalty && contact.iterations != unset.iterations);
+    foreign("relax_iterations", penalty && contact.relax_iterations != unset.relax_iterations);
+    foreign("restitution_threshold", penalty && contact.restitution_threshold != unset.restitution_threshold);
+    foreign("tangential_stiffness", !penalty && contact.tangential_stiffness != unset.tangential_stiffness);
+    foreign("pull", !penalty && contact.pull);
+    if (penalty) check_penalty();
+  }
+
+  void check_penalty() {
+    const ContactSettings& contact = scene.contact;
+    problems.positive("contact.stiffness", contact.stiffness, "N/m");
+    problems.positive("contact.tangential_stiffness", contact.tangential_stiffness, "1");
+    if (scene.run.integrator == "taylor2") {
+      problems.add("run.integrator",
+                   "taylor2 needs the time derivative of every force, which penalty contacts do not give; expected "
+                   "another integrator, e.g. midpoint");
+    }
+    const double least = contact.pull ? 0 : least_restitution;
+    const std::vector<std::string> names = materials_in_use(scene);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      for (std::size_t j = i; j < names.size(); ++j) {
+        const double e = law_between(scene, names[i], names[j]).restitution;
+        if (e >= least) continue;
+        problems.add("contact.kind",
+                     fmt::format("penalty: restitution {} of {} on {} is less than {}, the least that a dashpot gives "
+                                 "which does not pull; expected more, or contact.pull = true",
+                                 text(e), names[i], names[j], text(least)));
+      }
     }
   }
 

@@ -20,6 +20,10 @@ const char* type_of(ParameterKind kind) {
       return "three numbers [x, y, z], or a row of them for each body";
     case ParameterKind::word:
       return "a word";
+    case ParameterKind::numbers:
+      return "a number, or one for each pair";
+    case ParameterKind::pairs:
+      return "pairs of ids [[a, b], ...]";
   }
   return "";
 }
@@ -34,6 +38,10 @@ bool has_type(const Value& value, ParameterKind kind) {
       return std::holds_alternative<Vector3d>(value) || std::holds_alternative<std::vector<Vector3d>>(value);
     case ParameterKind::word:
       return std::holds_alternative<std::string>(value);
+    case ParameterKind::numbers:
+      return std::holds_alternative<double>(value) || std::holds_alternative<std::vector<double>>(value);
+    case ParameterKind::pairs:
+      return std::holds_alternative<std::vector<IdPair>>(value);
   }
   return false;
 }
@@ -94,14 +102,11 @@ struct EffectCheck {
   }
 
   bool check_value(const ParameterInfo& info, const Value& value, const std::string& at) {
-    if (const auto* number = std::get_if<double>(&value)) {
-      const bool may_be_infinite = info.fallback && std::get_if<double>(&*info.fallback) &&
-                                   std::isinf(std::get<double>(*info.fallback)) && !std::isnan(*number);
-      if (!may_be_infinite && !problems.finite(at, *number, info.unit.c_str())) return false;
-      if (*number >= info.minimum && *number <= info.maximum) return true;
-      const std::string bound = *number < info.minimum ? ">= " + text(info.minimum) : "<= " + text(info.maximum);
-      problems.add(at, fmt::format("is {}, expected a number {} [{}]", text(*number), bound, info.unit));
-      return false;
+    if (const auto* number = std::get_if<double>(&value)) return check_number(info, *number, at);
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+      for (std::size_t i = 0; i < numbers->size(); ++i) {
+        if (!check_number(info, (*numbers)[i], path_of(at, i, numbers->size()))) return false;
+      }
     }
     if (const auto* vector = std::get_if<Vector3d>(&value)) return problems.finite(at, *vector, info.unit.c_str());
     if (const auto* rows = std::get_if<std::vector<Vector3d>>(&value)) {
@@ -110,6 +115,16 @@ struct EffectCheck {
       }
     }
     return true;
+  }
+
+  bool check_number(const ParameterInfo& info, double number, const std::string& at) {
+    const bool may_be_infinite = info.fallback && std::get_if<double>(&*info.fallback) &&
+                                 std::isinf(std::get<double>(*info.fallback)) && !std::isnan(number);
+    if (!may_be_infinite && !problems.finite(at, number, info.unit.c_str())) return false;
+    if (number >= info.minimum && number <= info.maximum) return true;
+    const std::string bound = number < info.minimum ? ">= " + text(info.minimum) : "<= " + text(info.maximum);
+    problems.add(at, fmt::format("is {}, expected a number {} [{}]", text(number), bound, info.unit));
+    return false;
   }
 
   /// What parameters mean together, and for the groups that the effect acts on.
@@ -122,6 +137,7 @@ struct EffectCheck {
                    fmt::format("is {} s, expected a time after at = {} s", text(std::get<double>(until->second)),
                                text(std::get<double>(at->second))));
     }
+    check_pairs(description, parameters);
     for (const BodyGroup& group : scene.bodies) {
       if (!acts_on(effect, group)) continue;
       check_rotation(description, parameters, group);
@@ -134,6 +150,41 @@ struct EffectCheck {
         }
       }
     }
+  }
+
+  /// Pairs name two bodies of the effect's groups; what differs between pairs has a number for each.
+  void check_pairs(const EffectDescription& description, const std::map<std::string, Value>& parameters) {
+    const auto pairs = parameters.find("pairs");
+    if (pairs == parameters.end()) return;
+    const auto& list = std::get<std::vector<IdPair>>(pairs->second);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::string at = path_of(path("pairs"), i, list.size());
+      if (list[i][0] == list[i][1]) {
+        problems.add(at, fmt::format("joins body {} with itself, expected two bodies", list[i][0]));
+      }
+      for (const std::size_t id : list[i]) check_id(at, id);
+    }
+    for (const ParameterInfo& info : description.parameters) {
+      if (info.kind != ParameterKind::numbers) continue;
+      const std::size_t rows = std::get<std::vector<double>>(parameters.at(info.name)).size();
+      if (rows == 1 || rows == list.size()) continue;
+      problems.add(path(info.name),
+                   fmt::format("has {} numbers, expected one, or one for each of the {} pairs", rows, list.size()));
+    }
+  }
+
+  void check_id(const std::string& at, std::size_t id) {
+    std::size_t first = 0;
+    for (const BodyGroup& group : scene.bodies) {
+      const std::size_t count = body_count(group);
+      if (id >= first && id < first + count) {
+        if (acts_on(effect, group)) return;
+        problems.add(at, fmt::format("body {} is of group {}, on which this effect does not act", id, group.name));
+        return;
+      }
+      first += count;
+    }
+    problems.add(at, fmt::format("body {} does not exist, expected an id below {}", id, first));
   }
 
   /// A particle at its own pivot has no inertia about it.
@@ -200,6 +251,9 @@ std::map<std::string, Value> complete_parameters(const Effect& effect, const Eff
     Value& value = all.at(info.name);
     if (info.kind == ParameterKind::vectors && std::holds_alternative<Vector3d>(value)) {
       value = std::vector<Vector3d>{std::get<Vector3d>(value)};
+    }
+    if (info.kind == ParameterKind::numbers && std::holds_alternative<double>(value)) {
+      value = std::vector<double>{std::get<double>(value)};
     }
   }
   return all;

@@ -29,8 +29,8 @@ void turn(Real* const (&q)[4], std::size_t row, const Vector3<Real>& angle) {
   q[1][row] = turned.x, q[2][row] = turned.y, q[3][row] = turned.z;
 }
 
-Real wrapped(Real x, Real lower, Real period) {
-  return period > 0 ? x - period * std::floor((x - lower) / period) : x;
+Real into_period(Real x, double lower, Real period) {
+  return period > 0 ? x - period * std::floor((x - static_cast<Real>(lower)) / period) : x;
 }
 
 /// Calls act(counter of the run, counter of the contacts) for each.
@@ -52,56 +52,55 @@ void for_counters(All& all, Own& own, Act act) {
 
 }  // namespace
 
-void ContactStep::add_counters(Counters& all) const {
+void ImpulseStep::add_counters(Counters& all) const {
   for_counters(all, solver.counters(),
                [](auto& run, const auto& own) { run = static_cast<std::decay_t<decltype(run)>>(own); });
 }
 
-void ContactStep::set_counters(const Counters& all) {
+void ImpulseStep::set_counters(const Counters& all) {
   for_counters(all, solver.counters(),
                [](const auto& run, auto& own) { own = static_cast<std::decay_t<decltype(own)>>(run); });
 }
 
-/// Calls act(group, row, slot, surface speed per angular momentum) for all bodies that may touch.
+bool ContactStep::holds(std::size_t group) const {
+  return std::any_of(ranges.begin(), ranges.end(), [&](const SlotRange& range) { return range.group == group; });
+}
+
 template <class Act>
-void ContactStep::for_ranges(const std::vector<Group>& groups, Workers& workers, Act act) const {
+void ContactStep::for_bodies(const std::vector<Group>& groups, Workers& workers, Act act) const {
+  const ContactBodies& bodies = scene().bodies;
   const auto task = [&](std::size_t r) {
     const SlotRange& range = ranges[r];
     const Group& group = groups[range.group];
     for (std::size_t i = 0; i < range.count; ++i) {
       const std::size_t slot = range.first_slot + i;
-      const bool spins = solver.bodies.spins && solver.bodies.mobility[slot] > 0;
-      act(group, range.first_row + i, slot,
-          spins ? solver.bodies.mobility[slot] / solver.bodies.radius[slot] : Real(0));
+      const bool spins = bodies.spins && bodies.mobility[slot] > 0;
+      act(group, range.first_row + i, slot, spins ? bodies.mobility[slot] / bodies.radius[slot] : Real(0));
     }
   };
   workers.for_each(ranges.size(), task, ranges.size() < 4 ? 1 : workers.threads());
 }
 
-/// The state columns as they are now, into these columns of the slots.
-void ContactStep::read(const std::vector<Group>& groups, Workers& workers, VectorColumn& position,
-                       VectorColumn& velocity, VectorColumn& surface) {
-  for_ranges(groups, workers, [&](const Group& group, std::size_t row, std::size_t slot, Real per_momentum) {
-    const StateColumns& state = group.kernel.state;
+void ContactStep::read(const std::vector<Group>& groups, StateColumns StepGroup::*columns, Workers& workers,
+                       VectorColumn& position, VectorColumn& velocity, VectorColumn& surface) const {
+  for_bodies(groups, workers, [&](const Group& group, std::size_t row, std::size_t slot, Real per_momentum) {
+    const StateColumns& state = group.kernel.*columns;
     position.put(slot, at(state.position, row));
     velocity.put(slot, at(state.velocity, row));
     if (per_momentum > 0) surface.put(slot, per_momentum * at(state.momentum, row));
   });
 }
 
-void ContactStep::read_start(const std::vector<Group>& groups, Workers& workers) {
-  ContactBodies& bodies = solver.bodies;
-  read(groups, workers, bodies.position, bodies.velocity, bodies.surface);
-}
-
-void ContactStep::read_trial(const std::vector<Group>& groups, Workers& workers) {
-  ContactBodies& bodies = solver.bodies;
-  read(groups, workers, bodies.end_position, bodies.end_velocity, bodies.end_surface);
+Vector3<Real> ContactStep::wrapped(const Vector3<Real>& x) const {
+  const Real* period = scene().period.length;
+  return {into_period(x.x, lower[0], period[0]), into_period(x.y, lower[1], period[1]),
+          into_period(x.z, lower[2], period[2])};
 }
 
 std::size_t ContactStep::count_outside(const std::vector<Group>& groups, double time) const {
+  const std::vector<Wall>& walls = scene().walls;
   std::vector<Vector3<Real>> offsets;
-  for (const Wall& wall : solver.walls) {
+  for (const Wall& wall : walls) {
     const Vector3<double> moved = wall.motion.displacement(time);
     offsets.push_back({static_cast<Real>(moved.x), static_cast<Real>(moved.y), static_cast<Real>(moved.z)});
   }
@@ -111,23 +110,29 @@ std::size_t ContactStep::count_outside(const std::vector<Group>& groups, double 
     for (std::size_t i = 0; i < range.count; ++i) {
       const Vector3<Real> x = at(state.position, range.first_row + i);
       bool outside = false;
-      for (std::size_t w = 0; w < offsets.size(); ++w) outside |= solver.walls[w].distance(x - offsets[w], 0) < 0;
+      for (std::size_t w = 0; w < offsets.size(); ++w) outside |= walls[w].distance(x - offsets[w], 0) < 0;
       count += outside;
     }
   }
   return count;
 }
 
+void ImpulseStep::read_start(const std::vector<Group>& groups, Workers& workers) {
+  ContactBodies& bodies = solver.bodies;
+  read(groups, &StepGroup::state, workers, bodies.position, bodies.velocity, bodies.surface);
+}
+
+void ImpulseStep::read_trial(const std::vector<Group>& groups, Workers& workers) {
+  ContactBodies& bodies = solver.bodies;
+  read(groups, &StepGroup::state, workers, bodies.end_position, bodies.end_velocity, bodies.end_surface);
+}
+
 /// A body that nothing touched gets back the bits of its trial.
-void ContactStep::write(const std::vector<Group>& groups, Workers& workers) const {
+void ImpulseStep::write(const std::vector<Group>& groups, Workers& workers) const {
   const ContactBodies& bodies = solver.bodies;
-  for_ranges(groups, workers, [&](const Group& group, std::size_t row, std::size_t slot, Real per_momentum) {
+  for_bodies(groups, workers, [&](const Group& group, std::size_t row, std::size_t slot, Real per_momentum) {
     const StateColumns& state = group.kernel.state;
-    const Vector3<Real> x = bodies.end_position.at(slot);
-    const Real* period = solver.period.length;
-    put(state.position, row,
-        {wrapped(x.x, static_cast<Real>(lower[0]), period[0]), wrapped(x.y, static_cast<Real>(lower[1]), period[1]),
-         wrapped(x.z, static_cast<Real>(lower[2]), period[2])});
+    put(state.position, row, wrapped(bodies.end_position.at(slot)));
     put(state.velocity, row, bodies.end_velocity.at(slot));
     if (!(per_momentum > 0)) return;
     const Vector3<Real> trial = at(state.momentum, row);
@@ -135,6 +140,74 @@ void ContactStep::write(const std::vector<Group>& groups, Workers& workers) cons
     put(state.momentum, row, trial + (1 / per_momentum) * change);
     if (group.turns()) turn(state.orientation, row, (1 / bodies.radius[slot]) * bodies.turned.at(slot));
   });
+}
+
+void PenaltyStep::add_counters(Counters& all) const {
+  const PenaltyCounters& own = penalty.counters();
+  all.pairs = own.pairs, all.contacts = own.contacts;
+  all.peak_pairs = own.peak_pairs, all.peak_contacts = own.peak_contacts;
+  all.neighbour_lists = own.lists, all.missed = own.stepped;
+  all.max_penetration = static_cast<double>(own.deepest);
+  all.contact_spring = static_cast<double>(own.spring), all.contact_damping = static_cast<double>(own.damping);
+}
+
+void PenaltyStep::set_counters(const Counters& all) {
+  PenaltyCounters& own = penalty.counters();
+  own.pairs = all.pairs, own.contacts = all.contacts;
+  own.peak_pairs = all.peak_pairs, own.peak_contacts = all.peak_contacts;
+  own.lists = all.neighbour_lists, own.stepped = all.missed;
+  own.deepest = static_cast<Real>(all.max_penetration);
+  own.spring = static_cast<Real>(all.contact_spring), own.damping = static_cast<Real>(all.contact_damping);
+}
+
+void PenaltyStep::read_state(const std::vector<Group>& groups, StateColumns StepGroup::*columns, Workers& workers) {
+  ContactBodies& bodies = penalty.bodies;
+  read(groups, columns, workers, bodies.position, bodies.velocity, bodies.surface);
+}
+
+void PenaltyStep::begin(const std::vector<Group>& groups, double time, Real h, Workers& workers) {
+  read_state(groups, &StepGroup::state, workers);
+  penalty.begin(time, h, workers);
+}
+
+namespace {
+
+/// A tangential spring in phases before this one; of a splitting, it drifts with the positions.
+std::span<const Real> stage_of(const Method& m, int phase, Real (&drifts)[max_phases]) {
+  const auto phases = static_cast<std::size_t>(phase);
+  if (m.family != Family::splitting) return {m.a[phase], phases};
+  for (int j = 0; j < phase; ++j) drifts[j] = m.drift[j];
+  return {drifts, phases};
+}
+
+}  // namespace
+
+void PenaltyStep::add_forces(const std::vector<Group>& groups, const Method& method, int phase, double time,
+                             Workers& workers) {
+  read_state(groups, &StepGroup::trial, workers);
+  Real drifts[max_phases];
+  penalty.find_forces(stage_of(method, phase, drifts), time, workers);
+  const ContactBodies& bodies = penalty.bodies;
+  for_bodies(groups, workers, [&](const Group& group, std::size_t row, std::size_t slot, Real per_momentum) {
+    put(group.force_sums, row, at(group.force_sums, row) + penalty.force.at(slot));
+    if (!(per_momentum > 0)) return;
+    put(group.torque_sums, row, at(group.torque_sums, row) + bodies.radius[slot] * penalty.moment.at(slot));
+  });
+}
+
+void PenaltyStep::finish(const std::vector<Group>& groups, const Method& method, Workers& workers) {
+  const bool splits = method.family == Family::splitting;
+  penalty.finish({splits ? method.kick : method.b, static_cast<std::size_t>(method.phases)}, workers);
+  if (!penalty.period.any()) return;
+  for_bodies(groups, workers, [&](const Group& group, std::size_t row, std::size_t, Real) {
+    const StateColumns& state = group.kernel.state;
+    put(state.position, row, wrapped(at(state.position, row)));
+  });
+}
+
+double PenaltyStep::energy(const std::vector<Group>& groups, double time, Workers& workers) {
+  read_state(groups, &StepGroup::state, workers);
+  return penalty.energy(time, workers);
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -140,6 +140,18 @@ struct PassWriter {
       const double values = motion.writes + 3.0 * static_cast<double>(sums.size());
       add("user_effects", trial, sums, values, 0, method.phases, "user effects (their flops are not known)");
     }
+    if (group.users.empty() && group.force_sums[0]) {
+      sums = {"force"};
+      if (group.torque_sums[0]) sums.push_back("torque");
+      passes.push_back({"clear_sums",
+                        group.name,
+                        {},
+                        sums,
+                        3.0 * static_cast<double>(sums.size()) * real,
+                        0,
+                        method.phases,
+                        "forces between bodies add to them"});
+    }
     auto loads = with_prefix("trial_", state_names(group.motion));
     loads.insert(loads.end(), sums.begin(), sums.end());
     add("evaluate", loads, {"rates"}, motion.reads + size + 3.0 * static_cast<double>(sums.size()),
@@ -158,7 +170,8 @@ std::string text(double value) {
   return buffer;
 }
 
-GroupReport report(const Group& group, const std::vector<UserEffect>& users) {
+GroupReport report(const Group& group, std::size_t index, const std::vector<PairSystem>& pairs,
+                   const std::vector<UserEffect>& users) {
   GroupReport r{group.name, name(group.motion), group.live, group.why, {}, {}};
   if (group.motion == MotionKind::pivoted) r.effects.push_back("pivot");
   for (std::size_t e = 0; e < group.effects.size(); ++e) {
@@ -166,20 +179,24 @@ GroupReport report(const Group& group, const std::vector<UserEffect>& users) {
     const std::string& effect = local_effects()[e].description.name;
     if (count > 0) r.effects.push_back(count == 1 ? effect : effect + " x" + std::to_string(count));
   }
+  for (const PairSystem& system : pairs) {
+    if (system.acts_on(index)) r.effects.push_back(system.name());
+  }
   for (const std::size_t u : group.users) r.effects.push_back(users[u].name);
   const auto unit = [](const std::string& key) { return key == "mass" ? " kg" : key == "radius" ? " m" : " kg/m^3"; };
   for (const auto& [key, value] : group.constants) r.constants.push_back(key + " = " + text(value) + unit(key));
   return r;
 }
 
-std::vector<std::string> what_is_off(const std::vector<Group>& groups, bool fused, bool users, bool contacts) {
+std::vector<std::string> what_is_off(const std::vector<Group>& groups, const std::vector<PairSystem>& pairs, bool fused,
+                                     bool contacts) {
   std::vector<std::string> off;
   const auto none = [&](auto has) { return std::none_of(groups.begin(), groups.end(), has); };
   if (none([](const Group& g) { return g.turns(); })) off.push_back("orientation");
   if (none([](const Group& g) { return g.motion != MotionKind::point; })) off.push_back("torque");
   if (none([](const Group& g) { return g.spins(); })) off.push_back("angular momentum");
   if (fused) off.push_back("rate columns and passes for each stage");
-  if (!users) off.push_back("force sums");
+  if (none([](const Group& g) { return g.force_sums[0] != nullptr; })) off.push_back("force sums");
   if (!contacts) {
     for (const char* part : {"grid", "pairs", "contacts"}) off.push_back(part);
   }
@@ -189,6 +206,10 @@ std::vector<std::string> what_is_off(const std::vector<Group>& groups, bool fuse
     }
   }
   if (none([](const Group& g) { return g.motion == MotionKind::pivoted; })) off.push_back("pivot");
+  for (const PairEffectInfo& info : pair_effects()) {
+    const auto is = [&](const PairSystem& system) { return system.info == &info; };
+    if (std::none_of(pairs.begin(), pairs.end(), is)) off.push_back(info.description.name);
+  }
   return off;
 }
 
@@ -208,13 +229,19 @@ Explanation World::explain() const {
   all.narrowed = narrowed_;
   all.column_bytes = columns_.bytes();
   std::string every;
-  for (const Group& group : groups_) {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group& group = groups_[g];
     if (group.live == 0) continue;
-    all.groups.push_back(report(group, users_));
+    all.groups.push_back(report(group, g, pair_systems_, users_));
     PassWriter writer{group, method_, columns_, path_reason_, all.passes};
     fused_ ? writer.fused() : writer.staged();
   }
+  for (const PairSystem& system : pair_systems_) system.explain(groups_, method_.phases, all);
   if (contacts_) contacts_->explain(groups_, all);
+  if (penalty_) {
+    all.contact.largest_step =
+        f64::step_limit(row_->name, step_, watched_stiffness_.spring, watched_stiffness_.damping).largest;
+  }
   for (const Column& column : columns_.all()) {
     const ColumnInfo& info = column.info;
     for (const Group& group : groups_) {
@@ -231,7 +258,7 @@ Explanation World::explain() const {
       all.flops_per_body_step += share * pass.flops_per_body;
     }
   }
-  all.off = what_is_off(groups_, fused_, !users_.empty(), contacts_ != nullptr);
+  all.off = what_is_off(groups_, pair_systems_, fused_, contacts_ != nullptr);
 
   return all;
 }

@@ -5,17 +5,14 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-void ContactStep::explain(const std::vector<Group>& groups, Explanation& all) const {
+void ImpulseStep::explain(const std::vector<Group>& groups, Explanation& all) const {
   all.contact = report;
   all.contact.bytes = solver.bytes();
   const std::vector<PassReport> smooth = std::move(all.passes);
   all.passes.clear();
   std::vector<PassReport> before, after;
-  const auto touching = [&](std::size_t g) {
-    return std::any_of(ranges.begin(), ranges.end(), [g](const SlotRange& range) { return range.group == g; });
-  };
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (!touching(g)) continue;
+    if (!holds(g)) continue;
     const bool spins = solver.bodies.spins && groups[g].spins();
     std::vector<std::string> state{"position", "velocity"};
     if (spins) state.push_back("angular_momentum");
@@ -73,6 +70,39 @@ void ContactStep::explain(const std::vector<Group>& groups, Explanation& all) co
                                 "loaded contacts hold velocities" + depends}});
   for (const auto* part : std::initializer_list<const std::vector<PassReport>*>{&before, &smooth, &after})
     all.passes.insert(all.passes.end(), part->begin(), part->end());
+}
+
+void PenaltyStep::explain(const std::vector<Group>& groups, Explanation& all) const {
+  all.contact = report;
+  all.contact.bytes = penalty.bytes();
+  const std::string everyone = "all that touch";
+  all.passes.insert(all.passes.begin(), {"keep_neighbours",
+                                         everyone,
+                                         {"position", "velocity"},
+                                         {"neighbours"},
+                                         0,
+                                         0,
+                                         1,
+                                         "pairs within a skin; searched anew in a uniform grid when a body has used up "
+                                         "its share of it"});
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (!holds(g)) continue;
+    const bool spins = penalty.bodies.spins && groups[g].spins();
+    std::vector<std::string> state{"trial_position", "trial_velocity"}, sums{"force"};
+    if (spins) state.push_back("trial_angular_momentum"), sums.push_back("torque");
+    const double values = (spins ? 9 : 6) * 2 + (spins ? 6 : 3) * 3;
+    all.passes.push_back({"press_contacts", groups[g].name, state, sums, values * sizeof(Real), 0, phases,
+                          "springs and dashpots, each once, then summed by every body in the order of ids; beside "
+                          "these bytes, those of the neighbours"});
+  }
+  all.passes.push_back({"finish_contacts",
+                        everyone,
+                        {"contacts"},
+                        {"contacts"},
+                        0,
+                        0,
+                        1,
+                        "tangential springs move on by the rates of the phases"});
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -6,9 +6,6 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-namespace {
-
-/// All numbers of an effect's parameters, by name: the order in which effects of one kind are summed.
 std::vector<double> numbers_of(const Effect& effect) {
   std::vector<double> numbers;
   for (const auto& [name, value] : complete_parameters(effect, *find_effect(effect.kind))) {
@@ -18,9 +15,17 @@ std::vector<double> numbers_of(const Effect& effect) {
     if (const auto* rows = std::get_if<std::vector<Vector3d>>(&value)) {
       for (const Vector3d& row : *rows) numbers.insert(numbers.end(), row.data(), row.data() + 3);
     }
+    if (const auto* list = std::get_if<std::vector<double>>(&value)) {
+      numbers.insert(numbers.end(), list->begin(), list->end());
+    }
+    if (const auto* pairs = std::get_if<std::vector<IdPair>>(&value)) {
+      for (const IdPair& pair : *pairs) numbers.insert(numbers.end(), pair.begin(), pair.end());
+    }
   }
   return numbers;
 }
+
+namespace {
 
 /// The effects on a group in an order that does not depend on the scene's.
 std::vector<Effect> sorted_effects(const Scene& scene, const BodyGroup& body) {
@@ -189,7 +194,9 @@ void Builder::add_effects(Group& group) {
     }
   }
   group.list_instances();
-  check_stability(group, sum);
+  if (group.live == 0 || group.motion == MotionKind::pivoted) return;
+  const double mass = lightest(group);
+  local_stiffness_.push_back({&group, {sum.spring / mass, sum.damping / mass}});
 }
 
 /// Compensated summation: a carry for each value that the motion integrates.
@@ -221,10 +228,19 @@ void Builder::add_scratch(Group& group) {
     const Effect as_effect{.kind = {}, .groups = world_.users_[u].groups, .parameters = {}};
     if (acts_on(as_effect, scene_.bodies[group.scene_index])) group.users.push_back(u);
   }
+  const bool pairs = has_pair_effect(scene_, scene_.bodies[group.scene_index]);
+  const bool pressed = scene_.contact.kind == "penalty" && !scene_.bodies[group.scene_index].shape.empty();
+  if (group.users.empty() && !pairs && !pressed) return;
+  const char* why = pressed ? "contacts" : pairs ? "effects between bodies" : "user effects";
+  add("force", "N", Role::sum, group.force_sums, why);
+  for (int c = 0; c < 3; ++c) k.forces.sums.force[c] = group.force_sums[c];
+  const bool rubbed = pressed && has_friction(scene_, scene_.bodies[group.scene_index]);
+  if (group.spins() && (rubbed || !group.users.empty())) {
+    add("torque", "N m", Role::sum, group.torque_sums, rubbed ? "contact friction" : "user effects");
+    for (int c = 0; c < 3; ++c) k.forces.sums.torque[c] = group.torque_sums[c];
+  }
   if (group.users.empty()) return;
-  add("force", "N", Role::sum, k.forces.sums.force, "user effects");
   if (group.spins()) {
-    add("torque", "N m", Role::sum, k.forces.sums.torque, "user effects");
     add("trial_spin", "rad/s", Role::rate, k.trial_spin, "user effects");
   }
   if (!k.constants.mass.rows) {

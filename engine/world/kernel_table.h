@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/effects/local_effects.h"
+#include "engine/effects/pair_kernels.h"
 #include "engine/integrators/method.h"
 #include "engine/kernels/motion.h"
 
@@ -38,6 +39,7 @@ struct KernelTable {
   const char* target;
   StepKernels plain_and_compensated[2];
   Evaluate* evaluate[motion_count];
+  PairKernels pair;
 
   const FamilyKernels& family(Family f, bool compensated) const {
     return plain_and_compensated[compensated].families[static_cast<int>(f)];

@@ -2,6 +2,7 @@
 // call the same functions on the same values, so both give the same bits.
 #pragma once
 
+#include "engine/effects/mutual_gravity.h"
 #include "engine/integrators/families.h"
 #include "engine/world/kernel_table.h"
 
@@ -121,7 +122,8 @@ template <template <int> class Vector, class... M>
 static constexpr KernelTable make_table(const char* target) {
   return {target,
           {step_kernels<false, Vector, M...>(), step_kernels<true, Vector, M...>()},
-          {&evaluate_pass<M, Vector<registers<M>>>...}};
+          {&evaluate_pass<M, Vector<registers<M>>>...},
+          pair_kernels<Vector<2>>()};
 }
 
 /// In the order of MotionKind.

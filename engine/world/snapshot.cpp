@@ -73,7 +73,7 @@ Snapshot World::snapshot() const {
                 .status = status_,
                 .columns = {},
                 .contacts = {}};
-  if (contacts_) copy.contacts = contacts_->solver.save();
+  if (contacts_) copy.contacts = contacts_->save();
   for (const Group& group : groups_) copy.motions.push_back(static_cast<int>(group.motion));
   for (const Column& column : columns_.all()) {
     if (column.info.role != Role::state) continue;
@@ -101,7 +101,7 @@ void World::restore(const Snapshot& snapshot) {
   if (!fits || count != snapshot.columns.size()) {
     throw SceneError("restore", "the snapshot is of another scene, number of copies or precision");
   }
-  if (contacts_ && !contacts_->solver.restore(snapshot.contacts)) {
+  if (contacts_ && !contacts_->restore(snapshot.contacts)) {
     throw SceneError("restore", "the contacts of the snapshot do not fit this scene");
   }
   for_each_array([&](Column& column, int c) {

@@ -93,19 +93,39 @@ std::vector<IntegratorDescription> describe_integrators() {
   return all;
 }
 
+void Builder::check_stability() {
+  Stiffness stiffest, between;  // bonds pull beside each other and beside what holds bodies in their places
+  for (const auto& [group, per_mass] : local_stiffness_) {
+    check_stability("group " + group->name, per_mass);
+    stiffest = {std::max(stiffest.spring, per_mass.spring), std::max(stiffest.damping, per_mass.damping)};
+  }
+  std::string names;
+  for (const PairSystem& system : world_.pair_systems_) {
+    const Stiffness per_mass = system.effect->per_mass();
+    if (per_mass.spring == 0 && per_mass.damping == 0) continue;
+    between = {between.spring + per_mass.spring, between.damping + per_mass.damping};
+    names += (names.empty() ? "" : ", ") + std::string(system.name());
+  }
+  if (names.empty()) return;
+  check_stability(names, {stiffest.spring + between.spring, stiffest.damping + between.damping});
+}
+
+double Builder::lightest(const Group& group) const {
+  const BodyGroup& body = scene_.bodies[group.scene_index];
+  double mass = mass_of(body, 0);
+  for (std::size_t i = 1; i < std::max(body.mass.size(), std::max(body.radius.size(), body.density.size())); ++i) {
+    mass = std::min(mass, mass_of(body, i));
+  }
+  return mass;
+}
+
 /// A step beyond the limit is said, never silent. A method that grows at every step is reported when the growth over
 /// the run is more than a tenth.
-void Builder::check_stability(const Group& group, const Stiffness& stiffness) {
-  if (group.live == 0 || group.motion == MotionKind::pivoted || world_.status_.code != Status::Code::ok) return;
-  const BodyGroup& body = scene_.bodies[group.scene_index];
-  double lightest = mass_of(body, 0);
-  for (std::size_t i = 1; i < std::max(body.mass.size(), std::max(body.radius.size(), body.density.size())); ++i) {
-    lightest = std::min(lightest, mass_of(body, i));
-  }
+void Builder::check_stability(const std::string& whose, const Stiffness& per_mass) {
+  if (world_.status_.code != Status::Code::ok) return;
   const double h = world_.step_;
-  const StepLimit limit =
-      f64::step_limit(world_.row_->name, h, stiffness.spring / lightest, stiffness.damping / lightest);
-  const std::string group_and_method = world_.row_->name + std::string(" on group ") + group.name;
+  const StepLimit limit = f64::step_limit(world_.row_->name, h, per_mass.spring, per_mass.damping);
+  const std::string group_and_method = world_.row_->name + std::string(" on ") + whose;
   if (limit.largest > 0 && h > limit.largest * (1 + 1e-6)) {
     world_.status_ = {Status::Code::stability, "a step of " + text(h) + " s exceeds " + text(limit.largest) +
                                                    " s, the stability limit of " + group_and_method};
@@ -117,6 +137,23 @@ void Builder::check_stability(const Group& group, const Stiffness& stiffness) {
                                                      " over the run"};
     }
   }
+}
+
+/// A contact swings for half a turn: what grows at every step is reported when that is more than a tenth of it.
+void World::judge_contacts(const Stiffness& per_mass, double h) {
+  const StepLimit limit = f64::step_limit(row_->name, h, per_mass.spring, per_mass.damping);
+  const std::string contacts = std::string(row_->name) + " on contacts (contact.stiffness)";
+  const double steps = 3.14159 / (std::sqrt(per_mass.spring) * h);
+  if (limit.largest > 0 && h > limit.largest * (1 + 1e-6)) {
+    status_ = {Status::Code::stability,
+               "a step of " + text(h) + " s exceeds " + text(limit.largest) + " s, the stability limit of " + contacts};
+  } else if (limit.largest == 0 && std::exp(std::log(limit.growth) * steps) > 1.1) {
+    status_ = {Status::Code::stability, "no step is stable for " + contacts + ": one of " + text(h) +
+                                            " s gains more than a tenth of its speed in each impact"};
+  }
+  if (status_.code == Status::Code::ok) return;
+  status_.step = counters_.steps;
+  status_.time = time();
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

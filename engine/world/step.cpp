@@ -48,7 +48,7 @@ void World::one_step() {
 /// Motion over h, from the time `from`.
 void World::advance(double from, double h) {
   activate_windows(from, h);
-  if (contacts_) return contact_substeps(from, h);
+  if (impulse_) return contact_substeps(from, h);
   smooth_motion(h == step_ ? method_ : method_for(*row_, h), from);
 }
 
@@ -63,19 +63,19 @@ void World::smooth_motion(const Method& method, double from) {
 
 /// contacts found -> for each substep: smooth motion as a trial -> impacts reflected -> solve -> relax
 void World::contact_substeps(double from, double h) {
-  const int count = contacts_->substeps;
+  const int count = impulse_->substeps;
   const double substep = h / count;
   const Method method = h == step_ ? contact_method_ : method_for(*row_, substep);
   for (int i = 0; i < count; ++i) {
     const double at = from + i * substep;
-    timed("read_contacts", [&] { contacts_->read_start(groups_, workers_); });
-    if (i == 0) timed("find_contacts", [&] { contacts_->solver.find(at, static_cast<Real>(h), workers_); });
+    timed("read_contacts", [&] { impulse_->read_start(groups_, workers_); });
+    if (i == 0) timed("find_contacts", [&] { impulse_->solver.find(at, static_cast<Real>(h), workers_); });
     smooth_motion(method, at);
-    timed("read_contacts", [&] { contacts_->read_trial(groups_, workers_); });
-    timed("reflect_impacts", [&] { contacts_->solver.reflect(at, static_cast<Real>(substep), workers_); });
-    timed("solve_contacts", [&] { contacts_->solver.solve(workers_); });
-    timed("relax_contacts", [&] { contacts_->solver.relax(workers_); });
-    timed("write_contacts", [&] { contacts_->write(groups_, workers_); });
+    timed("read_contacts", [&] { impulse_->read_trial(groups_, workers_); });
+    timed("reflect_impacts", [&] { impulse_->solver.reflect(at, static_cast<Real>(substep), workers_); });
+    timed("solve_contacts", [&] { impulse_->solver.solve(workers_); });
+    timed("relax_contacts", [&] { impulse_->solver.relax(workers_); });
+    timed("write_contacts", [&] { impulse_->write(groups_, workers_); });
   }
 }
 
@@ -132,12 +132,13 @@ void World::fused_pass(const Method& method) {
 }
 
 void World::staged_passes(const Method& method, double from) {
+  if (penalty_) timed("keep_neighbours", [&] { penalty_->begin(groups_, from, method.step, workers_); });
   for (int phase = 0; phase < method.phases; ++phase) {
     pass("prepare", [&](const Group& group, const Block& block) {
       Prepare* prepare = kernels_of(group, method).prepare[static_cast<int>(group.motion)];
       prepare(group.kernel, method, phase, block.first, block.last);
     });
-    if (!users_.empty()) user_pass(from + method.offset[phase]);
+    sum_forces(method, phase, from + method.offset[phase]);
     pass("evaluate", [&](const Group& group, const Block& block) {
       kernels_->evaluate[static_cast<int>(group.motion)](group.kernel, phase, block.first, block.last);
     });
@@ -147,14 +148,41 @@ void World::staged_passes(const Method& method, double from) {
     Finish* finish = kernels_of(group, method).finish[static_cast<int>(group.motion)];
     if (!finish(group.kernel, method, block.first, block.last)) finite.store(false, std::memory_order_relaxed);
   });
+  if (penalty_) {
+    timed("finish_contacts", [&] { penalty_->finish(groups_, method, workers_); });
+    watch_contact_stiffness(method);
+  }
   if (!finite) report_non_finite();
 }
 
-/// Sums of force and torque from user effects, for the evaluation that follows.
-void World::user_pass(double time) {
-  pass("user_effects", [&](const Group& group, const Block& block) {
-    if (!group.users.empty()) run_users(group, block, time);
+/// Contacts stiffen as bodies are pressed together: a step that was stable may be so no longer.
+void World::watch_contact_stiffness(const Method& method) {
+  const PenaltyCounters& now = penalty_->penalty.counters();
+  const double spring = static_cast<double>(now.spring), damping = static_cast<double>(now.damping);
+  if (status_.code != Status::Code::ok) return;
+  if (spring <= 1.001 * watched_stiffness_.spring && damping <= 1.001 * watched_stiffness_.damping) return;
+  watched_stiffness_ = {std::max(spring, watched_stiffness_.spring), std::max(damping, watched_stiffness_.damping)};
+  judge_contacts(watched_stiffness_, static_cast<double>(method.step));
+}
+
+/// Sums of force and torque from user effects, effects between bodies and contacts, for the evaluation that follows.
+void World::sum_forces(const Method& method, int phase, double time) {
+  if (!users_.empty()) {
+    pass("user_effects", [&](const Group& group, const Block& block) {
+      if (!group.users.empty()) run_users(group, block, time);
+    });
+  }
+  if (pair_systems_.empty() && !penalty_) return;
+  pass("clear_sums", [&](const Group& group, const Block& block) {
+    if (!group.users.empty()) return;  // cleared before their effects ran
+    for (const auto* sums : {&group.force_sums, &group.torque_sums}) {
+      for (Real* sum : *sums) {
+        if (sum) std::fill(sum + block.first, sum + block.last, Real(0));
+      }
+    }
   });
+  for (PairSystem& system : pair_systems_) timed(system.name(), [&] { system.add_forces(groups_, workers_); });
+  if (penalty_) timed("press_contacts", [&] { penalty_->add_forces(groups_, method, phase, time, workers_); });
 }
 
 void World::run_users(const Group& group, const Block& block, double time) {
@@ -167,11 +195,11 @@ void World::run_users(const Group& group, const Block& block, double time) {
   for (int c = 0; c < 3; ++c) {
     view.position[c] = k.trial.position[c] + block.first;
     view.velocity[c] = k.trial.velocity[c] + block.first;
-    view.force[c] = const_cast<Real*>(k.forces.sums.force[c]) + block.first;
+    view.force[c] = group.force_sums[c] + block.first;
     std::fill_n(view.force[c], rows, Real(0));
     if (!k.trial_spin[0]) continue;
     view.angular_velocity[c] = k.trial_spin[c] + block.first;
-    view.torque[c] = const_cast<Real*>(k.forces.sums.torque[c]) + block.first;
+    view.torque[c] = group.torque_sums[c] + block.first;
     std::fill_n(view.torque[c], rows, Real(0));
   }
   if (k.trial.orientation[0]) {

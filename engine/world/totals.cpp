@@ -81,6 +81,8 @@ Totals World::totals() const {
   });
   Totals sum;
   for (const Totals& part : parts) add(part, sum);
+  for (PairSystem& system : pair_systems_) sum.potential += system.energy(groups_, workers_);
+  if (penalty_) sum.potential += penalty_->energy(groups_, time(), workers_);
   if (contacts_) sum.bodies_outside = contacts_->count_outside(groups_, time());
   return sum;
 }

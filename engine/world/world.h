@@ -14,6 +14,7 @@
 #include "engine/world/inertia.h"
 #include "engine/world/interface.h"
 #include "engine/world/kernel_table.h"
+#include "engine/world/pair_system.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -37,8 +38,10 @@ struct Group {
   std::vector<EffectInstance> instances;                            ///< what kernel.forces points to
   std::vector<std::size_t> users;                                   ///< indices of user effects
   StepGroup kernel;
-  std::vector<Real*> rates;  ///< staged path: what kernel.rates points to
-  std::vector<Real*> carry;  ///< compensated summation: what kernel.carry points to
+  Real* force_sums[3] = {};   ///< staged path with user effects or forces between bodies
+  Real* torque_sums[3] = {};  ///< likewise, where a user effect or contact friction turns the bodies
+  std::vector<Real*> rates;   ///< staged path: what kernel.rates points to
+  std::vector<Real*> carry;   ///< compensated summation: what kernel.carry points to
 
   bool turns() const { return carried >= MotionKind::oriented; }
   bool spins() const { return carried != MotionKind::point; }
@@ -97,11 +100,14 @@ class World : public WorldInterface {
   void advance(double from, double h);
   void smooth_motion(const Method& method, double from);
   void contact_substeps(double from, double h);
+  void watch_contact_stiffness(const Method& method);
+  // stability.cpp
+  void judge_contacts(const Stiffness& per_mass, double h);
   void activate_windows(double from, double h);
   const FamilyKernels& kernels_of(const Group& group, const Method& method) const;
   void fused_pass(const Method& method);
   void staged_passes(const Method& method, double from);
-  void user_pass(double time);
+  void sum_forces(const Method& method, int phase, double time);
   void run_users(const Group& group, const Block& block, double time);
   template <class Action>
   void timed(const char* name, Action action);
@@ -123,6 +129,7 @@ class World : public WorldInterface {
   std::vector<Block> blocks_;
   bool small_ = false;  ///< all bodies together are no more than a block: other threads would cost more than they bring
   std::vector<UserEffect> users_;
+  mutable std::vector<PairSystem> pair_systems_;  ///< whose slots are scratch
   std::vector<std::string> narrowed_;
   std::vector<Event> events_;  ///< by time
   std::size_t next_event_ = 0;
@@ -130,12 +137,15 @@ class World : public WorldInterface {
   Method method_;
   Method contact_method_;                  ///< of a substep between contacts
   std::unique_ptr<ContactStep> contacts_;  ///< none: bodies do not touch
+  ImpulseStep* impulse_ = nullptr;         ///< contacts_, as what it is
+  PenaltyStep* penalty_ = nullptr;
   double step_ = 0;
   bool fused_ = true;
   std::string path_reason_;
   std::size_t per_copy_ = 0, copies_ = 1;
   Counters counters_;
   Status status_;
+  Stiffness watched_stiffness_;  ///< of contacts, per mass: the most that was held against the step
   mutable Workers workers_;
   const KernelTable* kernels_ = nullptr;
   bool profiling_ = false;

@@ -11,14 +11,15 @@
 namespace ballpark {
 
 /// number: double. vector: Vector3d. vectors: one Vector3d, or one per body of the group. word: one of `choices`.
-enum class ParameterKind { number, vector, vectors, word };
+/// pairs: a list of two ids each. numbers: one double, or one per pair.
+enum class ParameterKind { number, vector, vectors, word, numbers, pairs };
 
 struct ParameterInfo {
   std::string name;
   ParameterKind kind = ParameterKind::number;
   std::string unit;
   std::optional<Value> fallback;                              ///< the default; none: must be given
-  double minimum = -std::numeric_limits<double>::infinity();  ///< numbers only, inclusive
+  double minimum = -std::numeric_limits<double>::infinity();  ///< number and numbers only, inclusive
   double maximum = std::numeric_limits<double>::infinity();
   std::string doc;
 };

@@ -31,10 +31,14 @@ struct Counters {
   std::uint64_t impact_rounds = 0;                  ///< generalised reflections of one substep, the most
   std::uint64_t unfinished_impacts = 0;             ///< left to the solver, without restitution, after the last round
   std::uint64_t held_back = 0;  ///< motions cut short so that no contact is missed: those bodies lag behind
-  std::uint64_t missed = 0;     ///< substeps in which an overlap could not be prevented
+  std::uint64_t missed = 0;     ///< impulse: substeps in which an overlap could not be prevented; penalty: body-steps
+                                ///< longer than the radius, beside a neighbour
   int colours = 0;              ///< of the contact graph, the most
   double max_penetration = 0;   ///< deepest overlap at the start of a substep [m]
-  double residual = 0;          ///< largest error in a normal speed that the last sweep of the run so far found [m/s]
+  std::uint64_t neighbour_lists = 0;  ///< penalty: how often neighbours were searched anew
+  /// penalty: stiffness and damping per mass of the contact network, bounds, the most of the run [1/s^2, 1/s]
+  double contact_spring = 0, contact_damping = 0;
+  double residual = 0;  ///< largest error in a normal speed that the last sweep of the run so far found [m/s]
 };
 
 /// Sums over all bodies, in double whatever the world's precision.
@@ -78,12 +82,15 @@ struct GroupReport {
 struct ContactReport {
   std::string kind;
   int substeps = 0, iterations = 0, relax_iterations = 0;
-  double margin = 0;              ///< [radii]
-  std::size_t bodies = 0;         ///< that may touch
-  std::size_t walls = 0;          ///< faces of boundaries
-  bool friction = false;          ///< some pair of materials has it
-  std::vector<std::string> laws;  ///< "ball on cloth: restitution 0.5, friction 0.2"
-  std::size_t bytes = 0;          ///< of grid, pairs and contacts as they are now [B]
+  double margin = 0;                            ///< [radii]
+  std::size_t bodies = 0;                       ///< that may touch
+  std::size_t walls = 0;                        ///< faces of boundaries
+  bool friction = false;                        ///< some pair of materials has it
+  std::vector<std::string> laws;                ///< "ball on cloth: restitution 0.5, friction 0.2"
+  double stiffness = 0, sliding_stiffness = 0;  ///< penalty [N/m]
+  bool pull = false;                            ///< penalty: may dashpots pull?
+  double largest_step = 0;  ///< penalty: stable for the contacts so far, at least for two bodies [s]; 0: none is
+  std::size_t bytes = 0;    ///< of grid, pairs and contacts as they are now [B]
 };
 
 /// What exists for a scene, and why: what `ballpark explain` prints.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -57,8 +58,12 @@ struct BodyGroup {
   std::optional<Generate> generate = {};         ///< positions and spreads, instead of a `position` list
 };
 
-/// A parameter of an effect: a number, a vector, one vector per body, or a word.
-using Value = std::variant<double, Vector3d, std::vector<Vector3d>, std::string>;
+/// Two bodies by their ids in one copy of the scene.
+using IdPair = std::array<std::size_t, 2>;
+
+/// A parameter of an effect: a number, a vector, one vector per body, a word, one number per pair, or pairs.
+using Value =
+    std::variant<double, Vector3d, std::vector<Vector3d>, std::string, std::vector<double>, std::vector<IdPair>>;
 
 /// One effect on some groups. Kinds and their parameters: `effects()` in catalogue.h.
 struct Effect {
@@ -120,6 +125,10 @@ struct ContactSettings {
   int relax_iterations = 3;          ///< and that settle velocities
   double margin = 0.2;               ///< contacts: surfaces that will pass each other at less than this many radii
   double restitution_threshold = 0;  ///< slower approaches end at restitution 0 [m/s]
+  // Of `penalty`, which takes no other of these than the margin, the skin of its list of neighbours:
+  double stiffness = 0;                   ///< of the spring along the normal [N/m], > 0
+  double tangential_stiffness = 2.0 / 7;  ///< of the spring across it, over `stiffness`
+  bool pull = false;                      ///< may the dashpot hold parting surfaces together?
 };
 
 struct RunSettings {

@@ -93,6 +93,7 @@ struct RunReport {
   Counters counters;
   std::string integrator;
   std::string contact;      ///< kind of formulation; "" if bodies do not touch
+  double largest_step = 0;  ///< penalty: stable for the contacts of the run [s]; 0: none is
   double step = 0;          ///< [s]
   double wall_seconds = 0;  ///< stepping only
   double body_steps_per_second = 0;

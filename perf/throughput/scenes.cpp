@@ -35,6 +35,8 @@ Value small_value(ParameterKind kind) {
       return vector;
     case ParameterKind::vectors:
       return std::vector<Vector3d>{vector};
+    case ParameterKind::pairs:
+      return std::vector<IdPair>{{0, 1}};
     default:
       return small;
   }

@@ -27,12 +27,28 @@ Json json(const Vector3d& v) {
   return Json::array({json(v.x()), json(v.y()), json(v.z())});
 }
 
+std::string toml(const IdPair& pair) {
+  return fmt::format("[{}, {}]", pair[0], pair[1]);
+}
+
+template <class T>
+std::string toml(const std::vector<T>& list) {
+  std::vector<std::string> rows;
+  for (const T& row : list) rows.push_back(toml(row));
+  return '[' + joined(rows) + ']';
+}
+
+Json json(const IdPair& pair) {
+  return Json::array({pair[0], pair[1]});
+}
+
 struct ValueJson {
   Json operator()(double x) const { return json(x); }
   Json operator()(const Vector3d& v) const { return json(v); }
-  Json operator()(const std::vector<Vector3d>& rows) const {
+  template <class T>
+  Json operator()(const std::vector<T>& rows) const {
     Json list = Json::array();
-    for (const Vector3d& v : rows) list.push_back(json(v));
+    for (const T& row : rows) list.push_back(json(row));
     return list;
   }
   Json operator()(const std::string& word) const { return word; }
@@ -52,11 +68,14 @@ Json to_json(const ParameterInfo& parameter) {
 Value plausible(const ParameterInfo& parameter) {
   switch (parameter.kind) {
     case ParameterKind::number:
+    case ParameterKind::numbers:
       return std::clamp(0.1, parameter.minimum, parameter.maximum);
     case ParameterKind::vector:
       return Vector3d(0, 0, 1);
     case ParameterKind::vectors:
       return std::vector<Vector3d>{Vector3d(0, 0, 1)};
+    case ParameterKind::pairs:
+      return std::vector<IdPair>{{0, 1}};
     case ParameterKind::word:
       break;
   }
@@ -73,6 +92,10 @@ std::string kind_name(ParameterKind kind) {
       return "vector";
     case ParameterKind::vectors:
       return "vector(s)";
+    case ParameterKind::numbers:
+      return "number(s)";
+    case ParameterKind::pairs:
+      return "pairs";
     case ParameterKind::word:
       break;
   }
@@ -80,12 +103,15 @@ std::string kind_name(ParameterKind kind) {
 }
 
 std::string toml(const Value& value) {
-  if (const double* x = std::get_if<double>(&value)) return toml(*x);
-  if (const Vector3d* v = std::get_if<Vector3d>(&value)) return toml(*v);
   if (const std::string* word = std::get_if<std::string>(&value)) return '"' + *word + '"';
-  std::vector<std::string> rows;
-  for (const Vector3d& v : std::get<std::vector<Vector3d>>(value)) rows.push_back(toml(v));
-  return '[' + joined(rows) + ']';
+  return std::visit(
+      [](const auto& v) {
+        if constexpr (std::is_same_v<decltype(v), const std::string&>)
+          return v;
+        else
+          return toml(v);
+      },
+      value);
 }
 
 std::string example(const EffectDescription& effect) {

@@ -69,18 +69,36 @@ void add_passes(Page& text, const Explanation& explanation) {
   }
 }
 
+std::string largest_step(const ContactReport& contact) {
+  if (!(contact.largest_step > 0)) return "none is stable with this integrator: each impact gains energy";
+  return number(contact.largest_step, 4) +
+         " s is stable for two bodies in contact; more contacts need less, which the run watches";
+}
+
 void add_contacts(Page& text, const ContactReport& contact) {
   if (contact.kind.empty()) return;
   text.heading("Contacts");
-  text.fields(
-      {{"formulation", Cell(contact.kind, Style::strong)},
-       {"of", fmt::format("{}, {}", counted(contact.bodies, "body", "bodies"),
-                          counted(contact.walls, "boundary face", "boundary faces"))},
-       {"a step", fmt::format("{}, each with {} iterations and {} to relax",
-                              counted(static_cast<std::uint64_t>(contact.substeps), "substep", "substeps"),
-                              contact.iterations, contact.relax_iterations)},
-       {"margin", number(contact.margin) + " radii"},
-       {"friction", contact.friction ? "a cone, with spin" : "none in this scene: no spin, no tangential part"}});
+  using Fields = std::vector<std::pair<std::string, Cell>>;
+  Fields fields{{"formulation", Cell(contact.kind, Style::strong)},
+                {"of", fmt::format("{}, {}", counted(contact.bodies, "body", "bodies"),
+                                   counted(contact.walls, "boundary face", "boundary faces"))}};
+  const std::string none = "none in this scene: no spin, no tangential part";
+  const Fields rest =
+      contact.kind == "penalty"
+          ? Fields{{"springs", fmt::format("{} N/m along the normal, dashpots {}", number(contact.stiffness),
+                                           contact.pull ? "may pull" : "do not pull")},
+                   {"friction", contact.friction ? fmt::format("springs of {} N/m across it, up to Coulomb's limit",
+                                                               number(contact.sliding_stiffness))
+                                                 : none},
+                   {"largest step", largest_step(contact)},
+                   {"skin", number(contact.margin) + " radii"}}
+          : Fields{{"a step", fmt::format("{}, each with {} iterations and {} to relax",
+                                          counted(static_cast<std::uint64_t>(contact.substeps), "substep", "substeps"),
+                                          contact.iterations, contact.relax_iterations)},
+                   {"margin", number(contact.margin) + " radii"},
+                   {"friction", contact.friction ? "a cone, with spin" : none}};
+  fields.insert(fields.end(), rest.begin(), rest.end());
+  text.fields(std::move(fields));
   text.list(contact.laws);
 }
 
@@ -141,6 +159,10 @@ Json contact_json(const ContactReport& contact) {
           {"iterations", contact.iterations},
           {"relax_iterations", contact.relax_iterations},
           {"margin", contact.margin},
+          {"stiffness", contact.stiffness},
+          {"sliding_stiffness", contact.sliding_stiffness},
+          {"pull", contact.pull},
+          {"largest_step", contact.largest_step},
           {"bodies", contact.bodies},
           {"walls", contact.walls},
           {"friction", contact.friction},

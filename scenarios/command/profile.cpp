@@ -70,8 +70,15 @@ void add_contacts(Page& text, const ProfileFigures& figures) {
   const Counters& c = figures.counters;
   const double steps = static_cast<double>(std::max<std::uint64_t>(c.steps, 1));
   text.heading(fmt::format("Contacts over {}", counted(c.steps, "step", "steps")));
-  text.fields({{"pairs", fmt::format("{} a step", number(static_cast<double>(c.pairs) / steps, 5))},
-               {"contacts", fmt::format("{} loaded a step, {} at most, {}",
+  text.fields({{"pairs", fmt::format("{} a step", number(static_cast<double>(c.pairs) / steps, 5))}});
+  if (contact.kind == "penalty") {
+    return text.fields(
+        {{"contacts", fmt::format("{} a step, {} at most", number(static_cast<double>(c.contacts) / steps, 5),
+                                  grouped(c.peak_contacts))},
+         {"neighbours", "searched anew " + counted(c.neighbour_lists, "time", "times")},
+         {"deepest overlap", number(c.max_penetration, 3) + " m"}});
+  }
+  text.fields({{"contacts", fmt::format("{} loaded a step, {} at most, {}",
                                         number(static_cast<double>(c.contacts) / steps, 5), grouped(c.peak_contacts),
                                         counted(static_cast<std::uint64_t>(c.colours), "colour", "colours"))},
                {"impacts", fmt::format("{}, in at most {}", grouped(c.impacts),
@@ -131,6 +138,7 @@ Json contacts_json(const ProfileFigures& figures) {
           {"impact_rounds", c.impact_rounds},
           {"iterations", figures.explanation.contact.iterations},
           {"residual", c.residual},
+          {"neighbour_lists", c.neighbour_lists},
           {"max_penetration", c.max_penetration}};
 }
 

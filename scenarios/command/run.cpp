@@ -76,19 +76,28 @@ std::vector<std::pair<std::string, Cell>> status_fields(const RunReport& report,
   return fields;
 }
 
+std::string solver_fact(const RunReport& report) {
+  const Counters& c = report.counters;
+  if (report.contact == "penalty") return "neighbours listed " + counted(c.neighbour_lists, "time", "times");
+  return counted(static_cast<std::uint64_t>(c.colours), "colour", "colours");
+}
+
 void add_contact_facts(std::vector<std::pair<std::string, Cell>>& facts, const RunReport& report) {
   if (report.contact.empty()) return;
   const Counters& c = report.counters;
   const double steps = static_cast<double>(std::max<std::uint64_t>(c.steps, 1));
-  const std::vector<std::pair<std::string, Cell>> fields{
+  std::vector<std::pair<std::string, Cell>> fields{
       {"pairs",
        fmt::format("{} a step, at most {}", number(static_cast<double>(c.pairs) / steps, 4), grouped(c.peak_pairs))},
-      {"contacts",
-       fmt::format("{} loaded a step, at most {}; {}", number(static_cast<double>(c.contacts) / steps, 4),
-                   grouped(c.peak_contacts), counted(static_cast<std::uint64_t>(c.colours), "colour", "colours"))},
-      {"impacts", fmt::format("{}, in at most {} of reflections", grouped(c.impacts),
-                              counted(c.impact_rounds, "round", "rounds"))},
+      {"contacts", fmt::format("{} loaded a step, at most {}; {}", number(static_cast<double>(c.contacts) / steps, 4),
+                               grouped(c.peak_contacts), solver_fact(report))},
       {"deepest overlap", number(c.max_penetration, 3) + " m"}};
+  if (report.contact == "penalty") {
+    fields.push_back({"largest step", number(report.largest_step, 3) + " s would be stable for the contacts met"});
+  } else {
+    fields.insert(fields.end() - 1, {"impacts", fmt::format("{}, in at most {} of reflections", grouped(c.impacts),
+                                                            counted(c.impact_rounds, "round", "rounds"))});
+  }
   facts.insert(facts.end() - 2, fields.begin(), fields.end());  // before the hash
 }
 

@@ -85,13 +85,24 @@ Rows contact_rows() {
       Row("relax_iterations", whole, "", into_int(&ContactSettings::relax_iterations), "Sweeps that settle velocities.")
           .otherwise("3"),
       Row("margin", number, "1", into(&ContactSettings::margin),
-          "Contacts are surfaces that will pass each other at less than this many radii.")
+          "impulse: contacts are surfaces that will pass each other at less than this many radii. penalty: skin of the "
+          "list of neighbours.")
           .in({.minimum = 0.01, .maximum = 10})
           .otherwise("0.2"),
       Row("restitution_threshold", number, "m/s", into(&ContactSettings::restitution_threshold),
           "Slower approaches end at restitution 0.")
           .in(not_negative)
           .otherwise("0"),
+      Row("stiffness", number, "N/m", into(&ContactSettings::stiffness),
+          "penalty: of the spring along the normal; must be given.")
+          .in(positive),
+      Row("tangential_stiffness", number, "1", into(&ContactSettings::tangential_stiffness),
+          "penalty: of the spring across it, over stiffness.")
+          .in(positive)
+          .otherwise("0.2857142857142857"),
+      Row("pull", flag, "", into(&ContactSettings::pull),
+          "penalty: may the dashpot hold parting surfaces together? It changes which damping gives a restitution.")
+          .otherwise("false"),
   };
 }
 

@@ -25,6 +25,6 @@ using Owner = std::variant<Draft*, RunSettings*, BodyDraft*, Generate*, Effect*,
 /// A value of the file after its type was checked.
 using Parsed =
     std::variant<double, std::uint64_t, bool, std::string, Vector3d, std::vector<double>, std::vector<std::uint64_t>,
-                 std::vector<Vector3d>, std::vector<Quaternion>, std::vector<std::string>>;
+                 std::vector<Vector3d>, std::vector<Quaternion>, std::vector<std::string>, std::vector<IdPair>>;
 
 }  // namespace ballpark::scenes

@@ -17,6 +17,10 @@ KeyType type_of(ParameterKind kind) {
       return KeyType::vector;
     case ParameterKind::vectors:
       return KeyType::vectors;
+    case ParameterKind::numbers:
+      return KeyType::numbers_of_pairs;
+    case ParameterKind::pairs:
+      return KeyType::pairs;
     case ParameterKind::word:
       break;
   }
@@ -28,6 +32,11 @@ Value effect_value(Parsed parsed) {
   if (auto* number = std::get_if<double>(&parsed)) return *number;
   if (auto* vector = std::get_if<Vector3d>(&parsed)) return *vector;
   if (auto* text = std::get_if<std::string>(&parsed)) return std::move(*text);
+  if (auto* pairs = std::get_if<std::vector<IdPair>>(&parsed)) return std::move(*pairs);
+  if (auto* numbers = std::get_if<std::vector<double>>(&parsed)) {
+    if (numbers->size() == 1) return numbers->front();
+    return std::move(*numbers);
+  }
   auto rows = std::get<std::vector<Vector3d>>(std::move(parsed));
   if (rows.size() == 1) return rows.front();
   return rows;
@@ -36,9 +45,11 @@ Value effect_value(Parsed parsed) {
 struct AsToml {
   std::string operator()(double number) const { return fmt::format("{}", number); }
   std::string operator()(const Vector3d& v) const { return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z()); }
-  std::string operator()(const std::vector<Vector3d>& rows) const {
+  std::string operator()(const IdPair& pair) const { return fmt::format("[{}, {}]", pair[0], pair[1]); }
+  template <class T>
+  std::string operator()(const std::vector<T>& rows) const {
     std::string text;
-    for (const Vector3d& row : rows) text += (text.empty() ? "" : ", ") + (*this)(row);
+    for (const T& row : rows) text += (text.empty() ? "" : ", ") + (*this)(row);
     return "[" + text + "]";
   }
   std::string operator()(const std::string& word) const { return "\"" + word + "\""; }
@@ -62,7 +73,8 @@ Row parameter_row(const std::string& effect, const ParameterInfo& parameter) {
   };
   Row row(parameter.name, type_of(parameter.kind), parameter.unit, store, parameter.doc);
   row.of_effect(effect);
-  if (parameter.kind == ParameterKind::number) row.in({.minimum = parameter.minimum, .maximum = parameter.maximum});
+  const bool numbers = parameter.kind == ParameterKind::number || parameter.kind == ParameterKind::numbers;
+  if (numbers) row.in({.minimum = parameter.minimum, .maximum = parameter.maximum});
   if (!parameter.fallback) return row.must();
   return row.otherwise(std::visit(AsToml{}, *parameter.fallback));
 }
@@ -112,6 +124,10 @@ std::string expected(const Key& key) {
       return "a number" + suffix;
     case KeyType::numbers:
       return "a number" + suffix + ", or a list with one for each body";
+    case KeyType::numbers_of_pairs:
+      return "a number" + suffix + ", or a list with one for each pair";
+    case KeyType::pairs:
+      return "a list of pairs of ids [a, b]";
     case KeyType::times:
       return "a list of numbers" + suffix;
     case KeyType::vector:

@@ -11,6 +11,7 @@
 namespace ballpark::scenes {
 
 /// numbers, vectors, quaternions: one for all bodies of the group, or a list with one for each. times: a list.
+/// pairs: a list of [a, b], ids of bodies. numbers_of_pairs: one for all pairs, or a list with one for each.
 enum class KeyType {
   text,
   word,
@@ -24,6 +25,8 @@ enum class KeyType {
   vector,
   vectors,
   quaternions,
+  numbers_of_pairs,
+  pairs,
   table,
   tables,
   named  ///< tables by name: [materials.ball]

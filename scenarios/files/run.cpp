@@ -157,6 +157,7 @@ class Run {
     now.counters = world_.counters();
     now.integrator = file_.scene.run.integrator;
     now.contact = file_.scene.contact.kind;
+    if (now.contact == "penalty") now.largest_step = world_.explain().contact.largest_step;
     now.step = file_.scene.run.step;
     now.wall_seconds = driver_.seconds();
     now.body_steps_per_second =
@@ -193,7 +194,14 @@ class Run {
           "step, more substeps or a larger contact.margin avoids it",
           now.held_back));
     }
-    if (now.missed > 0) list.push_back(fmt::format("in {} substeps an overlap could not be prevented", now.missed));
+    if (now.missed > 0 && file_.scene.contact.kind == "penalty") {
+      list.push_back(
+          fmt::format("{} motions of a step were longer than the body's radius beside a neighbour: contacts "
+                      "may have been stepped over",
+                      now.missed));
+    } else if (now.missed > 0) {
+      list.push_back(fmt::format("in {} substeps an overlap could not be prevented", now.missed));
+    }
   }
 
   std::vector<std::string> warnings() const {

@@ -63,6 +63,7 @@ Json value_schema(const Key& key) {
     case KeyType::number:
       return number_schema(key);
     case KeyType::numbers:
+    case KeyType::numbers_of_pairs:
       return one_or_list_of(number_schema(key));
     case KeyType::times:
       return list_of(number_schema(key));
@@ -72,6 +73,8 @@ Json value_schema(const Key& key) {
       return one_or_list_of(row_of(3, number_schema(key)));
     case KeyType::quaternions:
       return one_or_list_of(row_of(4, {{"type", "number"}}));
+    case KeyType::pairs:
+      return list_of(row_of(2, whole));
     case KeyType::table:
       return table_schema(key.path(), "");
     case KeyType::named:

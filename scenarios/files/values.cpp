@@ -64,6 +64,11 @@ Quaternion quaternion_of(const Node& node) {
   return {number_of(row[0]), number_of(row[1]), number_of(row[2]), number_of(row[3])};
 }
 
+IdPair pair_of(const Node& node) {
+  const Array& row = row_of<2>(node);
+  return {whole_of(row[0]), whole_of(row[1])};
+}
+
 template <class Read>
 auto list_of(const Node& node, Read read) {
   std::vector<decltype(read(node))> list;
@@ -121,6 +126,7 @@ Parsed parsed(const Key& key, const Node& node) {
     case KeyType::number:
       return number_of(node);
     case KeyType::numbers:
+    case KeyType::numbers_of_pairs:
       return one_or_list_of(node, number_of, is_array(node));
     case KeyType::times:
       return list_of(node, number_of);
@@ -128,6 +134,8 @@ Parsed parsed(const Key& key, const Node& node) {
       return vector_of(node);
     case KeyType::vectors:
       return one_or_list_of(node, vector_of, is_array_of_arrays(node));
+    case KeyType::pairs:
+      return list_of(node, pair_of);
     case KeyType::quaternions:
       return one_or_list_of(node, quaternion_of, is_array_of_arrays(node));
     case KeyType::table:

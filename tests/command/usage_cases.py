@@ -59,7 +59,7 @@ class Catalogue(CommandTest):
             self.assertEqual(json.loads(self.call("list", "--json", section).stdout), entries)
             for entry in entries:
                 self.assertEqual(set(entry) >= {"name", "doc"}, section != "targets")
-        self.assertEqual([contact["name"] for contact in everything["contacts"]], ["impulse"])
+        self.assertEqual([contact["name"] for contact in everything["contacts"]], ["impulse", "penalty"])
         self.assertEqual([shape["name"] for shape in everything["shapes"]], "sphere plane box tube periodic".split())
         for target in everything["targets"]:
             self.assertEqual(set(target), {"name", "available"})

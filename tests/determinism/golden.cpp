@@ -16,25 +16,26 @@ struct Golden {
 
 /// Each scenario as it is (cut to some thousand bodies), after some steps of its own integrator.
 const Golden by_scenario[] = {
-    {"ball_rain", 0x49c5c56cb88d25c1, 0xae562b01f67cb75},     {"bounce", 0xf5a41a433bf9cd63, 0x7166db590d0f29bb},
-    {"break", 0x7ca3b65b1c024d4b, 0xa3c6a62ac21e2b06},        {"dice", 0x71f4ec80280e3e37, 0x9eb139c46818ddb5},
-    {"dust", 0x2f8e5cd459de4774, 0x4ef89d678f17d05b},         {"gas", 0xd8c0dfa33efaf71d, 0x913e75a981bf72e4},
-    {"incline", 0x2047add4ad3fb515, 0x451575590fd82201},      {"kepler", 0x73978e3d3c7f362a, 0x4477d9b5814c7a60},
-    {"newton_cradle", 0xb9c2a58a2c13f85, 0xc95439777ca477d6}, {"oscillator", 0xe7a7f42286f60abc, 0x9b1744f86ce822ef},
-    {"pendulum", 0x4165e83bf79c055, 0x1a7e04db86f96a5e},      {"projectile", 0xbaab5138ebd9555e, 0xeff334dabdcea01a},
-    {"spinning_top", 0xedc6d71584fd9030, 0xe166e91cb47dfbbf}, {"stack", 0xd379e1fa61942df7, 0x59d9719bdc8401d8},
-    {"tumbling", 0x695f6e1be060c2d, 0x8abbf4973233c7fa},
+    {"ball_rain", 0x49c5c56cb88d25c1, 0xae562b01f67cb75},   {"bounce", 0xf5a41a433bf9cd63, 0x7166db590d0f29bb},
+    {"break", 0x7ca3b65b1c024d4b, 0xa3c6a62ac21e2b06},      {"dice", 0x71f4ec80280e3e37, 0x9eb139c46818ddb5},
+    {"dust", 0x2f8e5cd459de4774, 0x4ef89d678f17d05b},       {"figure_eight", 0x71a9dec48ea4cb31, 0xef685bf4d7d4debf},
+    {"gas", 0xd8c0dfa33efaf71d, 0x913e75a981bf72e4},        {"incline", 0x2047add4ad3fb515, 0x451575590fd82201},
+    {"kepler", 0x73978e3d3c7f362a, 0x4477d9b5814c7a60},     {"newton_cradle", 0xb9c2a58a2c13f85, 0xc95439777ca477d6},
+    {"oscillator", 0xe7a7f42286f60abc, 0x9b1744f86ce822ef}, {"pendulum", 0x4165e83bf79c055, 0x1a7e04db86f96a5e},
+    {"projectile", 0xbaab5138ebd9555e, 0xeff334dabdcea01a}, {"shaken_bed", 0x6c7050fe66fe185c, 0x4597c1495ae18bc8},
+    {"slingshot", 0x18dcefb236c1cdda, 0x6b072766e195b6c0},  {"spinning_top", 0xedc6d71584fd9030, 0xe166e91cb47dfbbf},
+    {"stack", 0xd379e1fa61942df7, 0x59d9719bdc8401d8},      {"tumbling", 0x695f6e1be060c2d, 0x8abbf4973233c7fa},
 };
 
 /// Each integrator: the hashes of all scenarios one after the other, plain and compensated.
 const Golden by_integrator[] = {
-    {"euler", 0x28921929a70f3c3a, 0x1bbfc5b593d38365},
-    {"midpoint", 0x2bad61d92e1723ea, 0x5cf2313f459c5749},
-    {"heun", 0x5b400eca9790cb30, 0x4ffa7bc4e03a40b0},
-    {"rk4", 0xee7b56a34084f8df, 0xf82ca8094045d605},
+    {"euler", 0xef76c50a894f42b9, 0xd90c613a661dde67},
+    {"midpoint", 0xd8a50e8ba4ff90fe, 0xf7e0ddd4cc3ff1be},
+    {"heun", 0x13167713e140451e, 0xf7fbef16d2097c5b},
+    {"rk4", 0x78d1a83fd202668b, 0xdc59d4b06bec1cad},
     {"taylor2", 0x71c8e9a99ad80891, 0x38608e674a41efaf},
-    {"semi_implicit_euler", 0x35f5563bb2fbdd5d, 0x5f50003cabce9429},
-    {"velocity_verlet", 0x6014988977cc6d0e, 0x1773cfe3484286bc},
+    {"semi_implicit_euler", 0xffadfb33b2bf1b23, 0x9c797700548e65a6},
+    {"velocity_verlet", 0x1031b6e94ac7590b, 0x55ec5dbd39558bd2},
 };
 
 std::string row(const Golden& golden) {
@@ -49,6 +50,7 @@ std::uint64_t integrator_hash(const std::string& integrator, Precision precision
   std::uint64_t sum = 0;
   for (const std::string& file : files()) {
     Scene scene = small(file);
+    if (integrator == "taylor2" && !is_local(scene)) continue;
     scene.run.integrator = integrator;
     for (const bool compensated : {false, true}) {
       scene.run.compensated = compensated;

@@ -7,7 +7,7 @@ using namespace scenarios;
 namespace {
 
 void check_all_ways(const Scene& scene, Precision precision, std::uint64_t steps) {
-  const std::vector<Options> all = ways(precision);
+  const std::vector<Options> all = ways(scene, precision);
   const std::uint64_t expected = hash_after(scene, all[0], steps);
   CHECK(expected != hash_after(scene, all[0], 0));
   for (const Options& way : all) {
@@ -22,8 +22,8 @@ void check_scenarios(Precision precision, bool compensated) {
   for (const std::string& file : files()) {
     Scene scene = small(file);
     scene.run.compensated = compensated;
-    for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
-      scene.run.integrator = integrator.name;
+    for (const std::string& integrator : integrators_for(scene)) {
+      scene.run.integrator = integrator;
       check_all_ways(scene, precision, some_steps(scene));
     }
   }

@@ -72,17 +72,34 @@ inline std::vector<std::string> available_targets() {
   return names;
 }
 
+/// Do bodies move by forces of their own alone? Forces between bodies take the staged path, and have no derivative.
+inline bool is_local(const Scene& scene) {
+  const auto between = [](const ballpark::Effect& effect) {
+    return effect.kind == "mutual_gravity" || effect.kind == "bonds";
+  };
+  return scene.contact.kind != "penalty" && std::none_of(scene.effects.begin(), scene.effects.end(), between);
+}
+
+inline std::vector<std::string> integrators_for(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
+    if (integrator.name != "taylor2" || is_local(scene)) names.push_back(integrator.name);
+  }
+  return names;
+}
+
 /// The plainest way first: one thread, the base target, the fused path. Then again, and all others.
-inline std::vector<Options> ways(Precision precision) {
-  const Options plain{.threads = 1, .target = "base", .precision = precision, .path = Path::fused};
+inline std::vector<Options> ways(const Scene& scene, Precision precision) {
+  const std::vector<Path> paths = is_local(scene) ? std::vector{Path::fused, Path::staged} : std::vector{Path::staged};
+  const Options plain{.threads = 1, .target = "base", .precision = precision, .path = paths[0]};
   std::vector<Options> all{plain, plain};
   for (const int threads : {2, 3, 5, 8}) {
-    for (const Path path : {Path::fused, Path::staged}) {
+    for (const Path path : paths) {
       all.push_back({.threads = threads, .precision = precision, .path = path});
     }
   }
   for (const std::string& target : available_targets()) {
-    for (const Path path : {Path::fused, Path::staged}) {
+    for (const Path path : paths) {
       all.push_back({.threads = 1, .target = target, .precision = precision, .path = path});
     }
   }

@@ -52,7 +52,7 @@ TEST_CASE("Catalogue: shapes, rotations and targets are accepted where they belo
 TEST_CASE("Catalogue: what an effect exerts and reads is what it does", "[api]") {
   for (const ballpark::EffectDescription& description : ballpark::effects()) {
     const bool reads_spin = contains(description.reads, "spin");
-    Scene scene = scene_of({particles("p", 1)}, {sample(description)});
+    Scene scene = scene_of({particles("p", 2)}, {sample(description)});
     const bool refused = !check(scene).empty();
     CAPTURE(description.name);
     CHECK(refused == ((reads_spin || description.name == "torque") && description.name != "pivot"));

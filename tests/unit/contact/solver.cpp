@@ -21,7 +21,7 @@ void fill(ImpulseSolver& solver, std::size_t side) {
   std::mt19937 engine(3);
   const auto number = [&](double size) { return size * (static_cast<double>(engine()) / 2147483648.0 - 1); };
   bodies.per_copy = side * side * side;
-  bodies.resize(bodies.per_copy);
+  bodies.resize(bodies.per_copy, true);
   for (std::size_t i = 0; i < bodies.count; ++i) {
     bodies.radius[i] = 0.5;
     bodies.inverse_mass[i] = 1.0 / static_cast<double>(1 + i % 3);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/effects/local_effects.h"
+#include "engine/effects/pair_effects.h"
 #include "engine/world/interface.h"
 #include "tests/catch.h"
 
@@ -22,7 +23,8 @@ const std::map<std::string, Abilities> abilities = {
     {"quadratic_drag", {false, true, false, true}}, {"magnus", {false, true, false, false}},
     {"spring", {true, true, false, true}},          {"central_gravity", {true, true, false, false}},
     {"force", {false, true, true, false}},          {"torque", {false, true, true, false}},
-    {"pivot", {false, true, false, false}},
+    {"pivot", {false, true, false, false}},         {"mutual_gravity", {true, false, false, false}},
+    {"bonds", {true, false, false, true}},
 };
 
 }  // namespace
@@ -62,6 +64,35 @@ TEST_CASE("Effect list: what an effect offers is found in its code", "[effects]"
   }
   CHECK(local_effect_index("pivot") == -1);
   CHECK(local_effect_index("gravty") == -1);
+}
+
+TEST_CASE("Effect list: effects between bodies have an energy, no force derivative, and stiffness if they say so",
+          "[effects]") {
+  PairBodies two;
+  two.count = 2, two.stride = 32;
+  two.resize();
+  two.mass.data()[0] = two.mass.data()[1] = 1;
+  for (const PairEffectInfo& info : pair_effects()) {
+    CAPTURE(info.description.name);
+    REQUIRE(abilities.count(info.description.name) == 1);
+    const Abilities& owed = abilities.at(info.description.name);
+    CHECK(info.description.has_energy == owed.energy);
+    CHECK(info.description.has_force_derivative == owed.force_derivative);
+    const std::map<std::string, ballpark::Value> parameters = {{"pairs", std::vector<ballpark::IdPair>{{0, 1}}},
+                                                               {"stiffness", std::vector<double>{2.0}},
+                                                               {"damping", std::vector<double>{1.0}},
+                                                               {"rest_length", std::vector<double>{-1.0}},
+                                                               {"strength", 1.0},
+                                                               {"softening", 0.0}};
+    const auto slot_of = [](std::size_t id) { return id; };
+    const EffectInput input{parameters, 0, {}};
+    const auto effect = info.make({input, two, slot_of, {}});
+    CHECK((effect->per_mass().spring > 0) == owed.stiffness);
+    CHECK(effect->cost().flops > 0);
+    CHECK(pair_effects()[static_cast<std::size_t>(pair_effect_index(info.description.name))].make == info.make);
+    CHECK(local_effect_index(info.description.name) == -1);
+  }
+  CHECK(pair_effect_index("gravity") == -1);
 }
 
 TEST_CASE("Effect list: an effect reads what it says, and nothing else", "[effects]") {

@@ -57,8 +57,9 @@ TEST_CASE("Bad effects: every parameter of every effect is required, typed and f
       }
       made.parameters[parameter.name] = wrong_type(parameter.kind);
       check_problem(made, path, "[" + parameter.unit + "]");
-      const bool number = parameter.kind == ParameterKind::number;
-      made.parameters[parameter.name] = number ? Value(not_a_number) : Value(Vector3d(0, not_a_number, 0));
+      if (parameter.kind == ParameterKind::pairs) continue;  // whole numbers
+      const bool vectors = parameter.kind == ParameterKind::vector || parameter.kind == ParameterKind::vectors;
+      made.parameters[parameter.name] = vectors ? Value(Vector3d(0, not_a_number, 0)) : Value(not_a_number);
       check_problem(made, path, "is nan");
       if (std::isinf(parameter.minimum)) continue;
       made.parameters[parameter.name] = parameter.minimum - 1;
@@ -100,6 +101,32 @@ TEST_CASE("Bad effects: rows for each body, windows and pivots", "[check]") {
   REQUIRE(twice.size() == 1);
   CHECK(twice[0].path == "effects[1].kind");
   CHECK(contains(twice[0].message, "group b has a pivot already"));
+}
+
+TEST_CASE("Bad effects: pairs of bodies that there are not, and numbers that do not fit them", "[check]") {
+  const auto bonds = [](std::vector<ballpark::IdPair> pairs, const Value& stiffness,
+                        std::vector<std::string> groups = {}) {
+    return effect("bonds", {{"pairs", std::move(pairs)}, {"stiffness", stiffness}}, std::move(groups));
+  };
+  const std::vector<BodyGroup> groups{particles("p", 2), bricks("b", 2)};
+  const auto message = [&](const Effect& made) {
+    const std::vector<Problem> found = check(scene_of(groups, {made}));
+    return found.size() == 1 ? found[0].path + " " + found[0].message : std::to_string(found.size()) + " problems";
+  };
+  CHECK(check(scene_of(groups, {bonds({{0, 3}, {3, 1}}, 1.0)})).empty());
+  CHECK(message(bonds({{0, 1}, {0, 4}}, 1.0)) == "effects[0].pairs[1] body 4 does not exist, expected an id below 4");
+  CHECK(message(bonds({{2, 2}}, 1.0)) == "effects[0].pairs joins body 2 with itself, expected two bodies");
+  CHECK(message(bonds({{0, 2}}, 1.0, {"b"})) ==
+        "effects[0].pairs body 0 is of group p, on which this effect does not act");
+  CHECK(message(bonds({{0, 1}, {0, 2}, {0, 3}}, std::vector<double>{1, 2})) ==
+        "effects[0].stiffness has 2 numbers, expected one, or one for each of the 3 pairs");
+  CHECK(message(bonds({{0, 1}, {0, 2}}, std::vector<double>{1, -2})) ==
+        "effects[0].stiffness[1] is -2, expected a number >= 0 [N/m]");
+  Scene taylor = scene_of(groups, {bonds({{0, 1}}, 1.0)});
+  taylor.run.integrator = "taylor2";
+  const std::vector<Problem> refused = check(taylor);
+  REQUIRE(refused.size() == 1);
+  CHECK(contains(refused[0].message, "needs the time derivative of every force, which bonds does not give"));
 }
 
 TEST_CASE("Bad effects: a particle at its own pivot has no inertia about it", "[check]") {

@@ -64,13 +64,20 @@ inline Effect effect(const std::string& kind, std::map<std::string, Value> param
   return {.kind = kind, .groups = std::move(groups), .parameters = std::move(parameters)};
 }
 
+/// Something that a parameter of this kind may be, for scenes of two bodies or more.
+inline Value any_value(ballpark::ParameterKind kind) {
+  using ballpark::ParameterKind;
+  if (kind == ParameterKind::number || kind == ParameterKind::numbers) return 0.3;
+  if (kind == ParameterKind::pairs) return std::vector<ballpark::IdPair>{{0, 1}};
+  return Vector3d(0.4, -0.2, 5);
+}
+
 /// An instance of any effect of the catalogue: what has no default gets a value.
 inline Effect sample(const ballpark::EffectDescription& description) {
   Effect made = effect(description.name);
   for (const ballpark::ParameterInfo& parameter : description.parameters) {
     if (parameter.fallback) continue;
-    const bool number = parameter.kind == ballpark::ParameterKind::number;
-    made.parameters[parameter.name] = number ? Value(0.3) : Value(Vector3d(0.4, -0.2, 5));
+    made.parameters[parameter.name] = any_value(parameter.kind);
   }
   return made;
 }

@@ -130,6 +130,23 @@ TEST_CASE("Structure: each effect brings what its nature asks for, and nothing e
       CHECK(all.passes[0].flops_per_body > bare.passes[0].flops_per_body);
     }
   }
+  for (const std::string between : {"mutual_gravity", "bonds"}) {
+    const Explanation all = explained(scene_of({balls("g", 2)}, {sample_of(between)}));
+    CAPTURE(between);
+    covered.push_back(between);
+    CHECK(all.path == "staged");
+    CHECK(all.groups[0].motion == "point");
+    CHECK(all.groups[0].effects == Words{between});
+    CHECK(without(columns_of(all, "g"), columns_of(bare, "g")) ==
+          Words{"force 3", "rates 24", "trial_position 3", "trial_velocity 3"});
+    Words passes;
+    for (const ballpark::PassReport& pass : all.passes) passes.push_back(pass.name);
+    CHECK(passes == Words{"prepare", "clear_sums", "evaluate", "finish", between});
+    CHECK(contains(bare.off, between));
+    CHECK(contains(bare.off, "force sums"));
+    CHECK_FALSE(contains(all.off, between));
+    CHECK_FALSE(contains(all.off, "force sums"));
+  }
   for (const ballpark::EffectDescription& description : ballpark::effects()) {
     CAPTURE(description.name);
     CHECK(contains(covered, description.name));

@@ -1,0 +1,36 @@
+// Springs and dampers between bodies, from a list. Each is evaluated once into a column of its own; then every body
+// sums those that hold it in a fixed order.
+#pragma once
+
+#include "engine/effects/pair_effect.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+class Bonds : public PairEffect {
+ public:
+  explicit Bonds(const PairInput& input);
+  void find_forces(PairBodies& bodies, Workers& workers) override;
+  double energy(const PairBodies& bodies, Workers& workers) override;
+  Stiffness per_mass() const override { return per_mass_; }
+  PairCost cost() const override;
+  static EffectDescription description();
+
+ private:
+  struct Bond {
+    std::uint32_t a, b;  ///< slots of a copy, a < b
+    Real stiffness, damping, rest_length;
+  };
+  struct End {
+    std::uint32_t bond, is_a;
+  };
+  void list_ends(const PairBodies& bodies);
+  void bound_stiffness(const PairBodies& bodies);
+
+  std::vector<Bond> bonds_;  ///< of one copy, by slots and then by constants, whatever the order in the scene
+  std::vector<std::uint32_t> first_end_;  ///< of each slot, and the end
+  std::vector<End> ends_;                 ///< by slot, in the order of bonds
+  std::vector<Vector3<Real>> forces_;     ///< on b, of every copy's bonds
+  Stiffness per_mass_;
+};
+
+}  // namespace ballpark::BALLPARK_PRECISION

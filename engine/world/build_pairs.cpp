@@ -1,0 +1,63 @@
+// Effects between bodies: slots of their bodies and what they make of their parameters.
+#include <algorithm>
+
+#include "engine/world/build.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+bool has_pair_effect(const Scene& scene, const BodyGroup& group) {
+  return std::any_of(scene.effects.begin(), scene.effects.end(), [&](const Effect& effect) {
+    return pair_effect_index(effect.kind) >= 0 && acts_on(effect, group);
+  });
+}
+
+/// In an order that does not depend on the scene's: by kind, then by parameters.
+void Builder::add_pair_systems() {
+  std::vector<Effect> effects;
+  for (const Effect& effect : scene_.effects) {
+    if (pair_effect_index(effect.kind) >= 0) effects.push_back(effect);
+  }
+  std::stable_sort(effects.begin(), effects.end(), [](const Effect& a, const Effect& b) {
+    return std::pair(pair_effect_index(a.kind), numbers_of(a)) < std::pair(pair_effect_index(b.kind), numbers_of(b));
+  });
+  for (const Effect& effect : effects) add_pair_system(effect);
+}
+
+void Builder::add_pair_system(const Effect& effect) {
+  PairSystem system;
+  system.info = &pair_effects()[static_cast<std::size_t>(pair_effect_index(effect.kind))];
+  std::vector<std::size_t> chosen;
+  PairBodies& bodies = system.bodies;
+  for (std::size_t g = 0; g < world_.groups_.size(); ++g) {
+    const Group& group = world_.groups_[g];
+    if (group.per_copy == 0 || !acts_on(effect, scene_.bodies[group.scene_index])) continue;
+    chosen.push_back(g);
+    bodies.count += group.per_copy;
+  }
+  if (bodies.count == 0) return;
+  bodies.copies = world_.copies_;
+  bodies.stride = padded(bodies.count);
+  bodies.resize();
+  system.ranges = slot_ranges(world_.groups_, chosen, bodies.copies, bodies.stride);
+  for (const SlotRange& range : system.ranges) {
+    const PerBody& mass = world_.groups_[range.group].kernel.constants.mass;
+    for (std::size_t i = 0; i < range.count; ++i) {
+      bodies.mass.data()[range.first_slot + i] = mass.at<Real>(range.first_row + i);
+    }
+  }
+  system.read_state(world_.groups_, world_.workers_);
+  const auto slot_of = [&](std::size_t id) {
+    for (const SlotRange& range : system.ranges) {  // those of copy 0 come first
+      const Group& group = world_.groups_[range.group];
+      const std::size_t first = group.id_offset + range.first_row;
+      if (id >= first && id < first + range.count) return range.first_slot + (id - first);
+    }
+    return bodies.count;  // refused by check()
+  };
+  const auto parameters = complete_parameters(effect, system.info->description);
+  const EffectInput input{parameters, 0, {}};
+  system.effect = system.info->make({input, bodies, slot_of, world_.kernels_->pair});
+  world_.pair_systems_.push_back(std::move(system));
+}
+
+}  // namespace ballpark::BALLPARK_PRECISION

@@ -28,6 +28,16 @@ class Grid {
   std::size_t block_count() const { return found_.size(); }
   std::span<const Pair> pairs(std::size_t block) const { return {found_[block].room.data(), found_[block].count}; }
   std::size_t pair_count() const;
+  /// Drops those of a block for which keep(pair) is false.
+  template <class Keep>
+  void keep(std::size_t block, Keep keep) {
+    Found& found = found_[block];
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < found.count; ++i) {
+      if (keep(found.room[i])) found.room[kept++] = found.room[i];
+    }
+    found.count = kept;
+  }
 
   /// Rows sorted by cell, those that are not finite last: the order that brings near balls near in memory.
   std::span<const std::uint32_t> order() const { return {row_.data(), key_of_row_.size()}; }

@@ -10,6 +10,10 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
+/// Alignment of what the solver reads at random: eight values are a line in double.
+template <class R>
+inline constexpr std::size_t cache_line_of = sizeof(R) == 8 ? 64 : alignof(R);
+
 struct ContactBodies {
   std::size_t count = 0;
   std::size_t per_copy = 0;  ///< slots of one copy of the scene; copies do not touch each other

@@ -18,10 +18,10 @@ std::size_t capacity_bytes(const std::vector<T>& list) {
   return list.capacity() * sizeof(T);
 }
 
-/// Resizes with an eighth of room to spare, not twice.
+/// Resizes with a sixteenth of room to spare, not twice.
 template <class T>
 void resize(std::vector<T>& list, std::size_t size) {
-  if (size > list.capacity()) list.reserve(size + size / 8);
+  if (size > list.capacity()) list.reserve(size + size / 16);
   list.resize(size);
 }
 
@@ -29,6 +29,14 @@ template <class T>
 void append(std::vector<T>& list, const T& item) {
   if (list.size() == list.capacity()) list.reserve(list.size() * 5 / 4 + 64);
   list.push_back(item);
+}
+
+/// act(first, last) for blocks of items.
+template <class Act>
+void for_blocks(std::size_t count, Workers& workers, Act act) {
+  const std::size_t blocks = (count + block_length - 1) / block_length;
+  const auto task = [&](std::size_t b) { act(b * block_length, std::min((b + 1) * block_length, count)); };
+  workers.for_each(blocks, task, blocks < 2 ? 1 : workers.threads());
 }
 
 /// Distance of a point from the segment that starts at the origin.
@@ -61,9 +69,11 @@ std::size_t ContactBodies::bytes() const {
 void ContactSet::find(const ContactBodies& bodies, const std::vector<Wall>& shapes,
                       const std::vector<WallMoment>& moments, const Period& period, const LawTable& laws, Real step,
                       Real margin, Workers& workers) {
-  remember();
+  remember(workers);
   find_reaches(bodies, step, margin);
   lists_ = candidates = 0;
+  other_.clear();
+  first_of_slot.assign(bodies.count + 1, 0);
   for (std::size_t first = 0; first < bodies.count; first += bodies.per_copy) {
     const Balls balls{
         {bodies.position.x.data() + first, bodies.position.y.data() + first, bodies.position.z.data() + first},
@@ -72,32 +82,50 @@ void ContactSet::find(const ContactBodies& bodies, const std::vector<Wall>& shap
         0};
     grid_.find(balls, period, workers);
     sift(bodies, first, period, step, margin, workers);
+    order(first, first + bodies.per_copy, workers);
   }
-  for (std::size_t list = lists_; list < near_.size(); ++list) near_[list].clear(), watched_[list].clear();
-  order(bodies.count);
+  first_of_slot[bodies.count] = static_cast<std::uint32_t>(other_.size());
+  for (std::size_t list = lists_; list < watched_.size(); ++list) watched_[list].clear();
   colour(bodies.count);
   fill(bodies, laws, workers);
   find_walls(bodies, shapes, moments, laws, step, margin, workers);
 }
 
 /// Keeps the impulses of those contacts of the last step that bore any, by the slots they were between.
-void ContactSet::remember() {
-  const std::size_t slots = first_of_slot.empty() ? 0 : first_of_slot.size() - 1;
-  old_first_.assign(slots + 1, 0);
-  old_first_wall_.assign(slots + 1, 0);
-  carried_.clear();
-  carried_walls_.clear();
-  for (std::size_t slot = 0; slot < slots; ++slot) {
-    for (std::uint32_t i = first_of_slot[slot]; i < first_of_slot[slot + 1]; ++i) {
-      const Contact& contact = pairs[place[i]];
-      if (contact.bears()) append(carried_, {contact.b, contact.solved, contact.relaxed});
+void ContactSet::remember(Workers& workers) {
+  const auto pair_at = [this](std::uint32_t i) -> const Contact& { return pairs[place[i]]; };
+  const auto wall_at = [this](std::uint32_t i) -> const Contact& { return walls[i]; };
+  keep_impulses(
+      first_of_slot, pair_at, [](const Contact& c) { return c.b; }, carried_, workers);
+  keep_impulses(
+      first_wall_of_slot, wall_at, [](const Contact& c) { return c.a; }, carried_walls_, workers);
+}
+
+/// Of the contacts at(i), i in [first[slot], first[slot + 1]): counted by slot, then written where they belong.
+template <class At, class Other>
+void ContactSet::keep_impulses(const std::vector<std::uint32_t>& first, At at, Other other, Carried& kept,
+                               Workers& workers) {
+  const std::size_t slots = first.empty() ? 0 : first.size() - 1;
+  kept.first.assign(slots + 1, 0);
+  for_blocks(slots, workers, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      for (std::uint32_t i = first[slot]; i < first[slot + 1]; ++i) kept.first[slot + 1] += at(i).bears();
     }
-    for (std::uint32_t i = first_wall_of_slot[slot]; i < first_wall_of_slot[slot + 1]; ++i) {
-      if (walls[i].bears()) append(carried_walls_, {walls[i].a, walls[i].solved, walls[i].relaxed});
+  });
+  for (std::size_t slot = 0; slot < slots; ++slot) kept.first[slot + 1] += kept.first[slot];
+  resize(kept.other, kept.first[slots]);
+  resize(kept.impulses, kept.first[slots]);
+  for_blocks(slots, workers, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      std::uint32_t to = kept.first[slot];
+      for (std::uint32_t i = first[slot]; i < first[slot + 1]; ++i) {
+        const Contact& contact = at(i);
+        if (!contact.bears()) continue;
+        kept.other[to] = other(contact);
+        kept.impulses[to++] = {contact.solved, contact.relaxed};
+      }
     }
-    old_first_[slot + 1] = static_cast<std::uint32_t>(carried_.size());
-    old_first_wall_[slot + 1] = static_cast<std::uint32_t>(carried_walls_.size());
-  }
+  });
 }
 
 /// How far each body may go in the step, and which go so far that their reach would widen every cell of the grid.
@@ -127,72 +155,78 @@ void ContactSet::find_reaches(const ContactBodies& bodies, Real step, Real margi
   }
 }
 
-/// Which candidates of the copy with the slots from `first` on are contacts. Whether a pair is one depends on these two
-/// bodies alone.
+/// Which candidates of the copy with the slots from `first` on are contacts: they stay in the grid's lists, and those
+/// of fast bodies in lists of their own. Whether a pair is one depends on these two bodies alone.
 void ContactSet::sift(const ContactBodies& bodies, std::size_t first, const Period& period, Real step, Real margin,
                       Workers& workers) {
   const auto begin = static_cast<std::uint32_t>(first), end = static_cast<std::uint32_t>(first + bodies.per_copy);
   const std::size_t blocks = grid_.block_count(), list = lists_;
+  candidates += grid_.pair_count() + fast_.size() * bodies.per_copy;
   lists_ += blocks + fast_.size();
-  near_.resize(std::max(near_.size(), lists_));
-  watched_.resize(near_.size());
-  const auto for_list = [&](std::size_t count, std::size_t at, auto fill) {
-    workers.for_each(count, [&](std::size_t i) {
-      near_[at + i].clear();
-      watched_[at + i].clear();
-      fill(i, near_[at + i], watched_[at + i]);
-    });
-  };
-  for_list(blocks, list, [&](std::size_t block, auto& near, auto& watched) {
-    for (const Pair& pair : grid_.pairs(block)) {
+  if (watched_.size() < lists_) watched_.resize(lists_);
+  if (fast_near_.size() < fast_.size()) fast_near_.resize(fast_.size());
+  workers.for_each(blocks, [&](std::size_t block) {
+    std::vector<WatchedPair>& watched = watched_[list + block];
+    watched.clear();
+    grid_.keep(block, [&](const Pair& pair) {
       const std::uint32_t a = begin + pair.a, b = begin + pair.b;
-      if (!is_fast_[a] && !is_fast_[b]) sift_pair(bodies, period, step, margin, {a, b}, near, watched);
-    }
+      return !is_fast_[a] && !is_fast_[b] && is_contact(bodies, period, step, margin, {a, b}, watched);
+    });
   });
-  for_list(fast_.size(), list + blocks, [&](std::size_t f, auto& near, auto& watched) {
+  workers.for_each(fast_.size(), [&](std::size_t f) {
+    std::vector<WatchedPair>& watched = watched_[list + blocks + f];
+    watched.clear();
+    fast_near_[f].clear();
     const std::uint32_t i = fast_[f];
     if (i < begin || i >= end) return;
     for (std::uint32_t j = begin; j < end; ++j) {
       if (j == i || (is_fast_[j] && j < i)) continue;  // two fast ones meet once
-      sift_pair(bodies, period, step, margin, {i, j}, near, watched);
+      if (is_contact(bodies, period, step, margin, {i, j}, watched)) append(fast_near_[f], {i - begin, j - begin});
     }
   });
-  candidates += grid_.pair_count() + fast_.size() * bodies.per_copy;
 }
 
-void ContactSet::sift_pair(const ContactBodies& bodies, const Period& period, Real step, Real margin, Pair pair,
-                           std::vector<Pair>& near, std::vector<WatchedPair>& watched) const {
+/// False: too far apart, or to be watched only.
+bool ContactSet::is_contact(const ContactBodies& bodies, const Period& period, Real step, Real margin, Pair pair,
+                            std::vector<WatchedPair>& watched) const {
   const auto [a, b] = std::minmax(pair.a, pair.b);
   const Vector3<Real> apart = nearest_image(bodies.position.at(b) - bodies.position.at(a), period);
   const Vector3<Real> way_a = step * bodies.velocity.at(a), way_b = step * bodies.velocity.at(b);
   const Real reach = (bodies.radius[a] + bodies.radius[b]) * (1 + margin), farthest = reach + swept[a] + swept[b];
-  if (dot(apart, apart) > farthest * farthest) return;
-  if (come_within(apart, way_b - way_a, reach)) return append(near, {a, b});
+  if (dot(apart, apart) > farthest * farthest) return false;
+  if (come_within(apart, way_b - way_a, reach)) return true;
   const bool a_first = swept[a] >= swept[b];
   const Real off = a_first ? distance_from_segment(apart, way_a) : distance_from_segment(Real(-1) * apart, way_b);
   if (off <= reach + std::min(swept[a], swept[b])) append(watched, {a, b});
+  return false;
 }
 
-/// Sorts the contacts by their slots: counted by the first, then each short list by the second.
-void ContactSet::order(std::size_t slots) {
-  first_of_slot.assign(slots + 1, 0);
-  std::size_t count = 0;
-  for (const auto& list : near_) {
-    for (const Pair& pair : list) ++first_of_slot[pair.a];
-    count += list.size();
+/// Sorts the contacts of one copy by their slots: counted by the first, then each short list by the second.
+void ContactSet::order(std::size_t begin, std::size_t end, Workers& workers) {
+  const auto each = [&](auto act) {
+    for (std::size_t block = 0; block < grid_.block_count(); ++block) {
+      for (const Pair& pair : grid_.pairs(block))
+        act(begin + std::min(pair.a, pair.b), begin + std::max(pair.a, pair.b));
+    }
+    for (std::size_t f = 0; f < fast_.size(); ++f) {
+      for (const Pair& pair : fast_near_[f]) act(begin + std::min(pair.a, pair.b), begin + std::max(pair.a, pair.b));
+    }
+  };
+  each([&](std::size_t a, std::size_t) { ++first_of_slot[a]; });
+  auto before = static_cast<std::uint32_t>(other_.size());
+  for (std::size_t slot = begin; slot < end; ++slot) {
+    before += first_of_slot[slot];
+    first_of_slot[slot] = before;  // the end of its list: filling counts down to the beginning
   }
-  std::uint32_t before = 0;
-  for (std::uint32_t& first : first_of_slot) {
-    before += first;
-    first = before;  // the end of its list: filling counts down to the beginning
-  }
-  resize(other_, count);
-  for (const auto& list : near_) {
-    for (const Pair& pair : list) other_[--first_of_slot[pair.a]] = pair.b;
-  }
-  for (std::size_t a = 0; a < slots; ++a) {
-    std::sort(other_.begin() + first_of_slot[a], other_.begin() + first_of_slot[a + 1]);
-  }
+  resize(other_, before);
+  first_of_slot[end] = before;
+  each([&](std::size_t a, std::size_t b) { other_[--first_of_slot[a]] = static_cast<std::uint32_t>(b); });
+  for_blocks(end - begin, workers, [&](std::size_t first, std::size_t last) {
+    for (std::size_t a = begin + first; a < begin + last; ++a) {
+      std::sort(other_.begin() + first_of_slot[a], other_.begin() + first_of_slot[a + 1]);
+    }
+  });
+  first_of_slot[end] = 0;  // to be counted in the next copy
 }
 
 /// Greedy, in the order of slots: the first colour that neither body has.
@@ -227,9 +261,9 @@ void ContactSet::fill(const ContactBodies& bodies, const LawTable& laws, Workers
   const std::size_t blocks = (bodies.count + block_length - 1) / block_length;
   workers.for_each(blocks, [&](std::size_t block) {
     for (std::size_t a = block * block_length; a < std::min((block + 1) * block_length, bodies.count); ++a) {
-      const bool known = a + 1 < old_first_.size();
-      std::uint32_t old = known ? old_first_[a] : 0;
-      const std::uint32_t old_end = known ? old_first_[a + 1] : 0;
+      const bool known = a + 1 < carried_.first.size();
+      std::uint32_t old = known ? carried_.first[a] : 0;
+      const std::uint32_t old_end = known ? carried_.first[a + 1] : 0;
       for (std::uint32_t i = first_of_slot[a]; i < first_of_slot[a + 1]; ++i) {
         const std::uint32_t b = other_[i];
         Contact& contact = pairs[place[i]];
@@ -239,10 +273,10 @@ void ContactSet::fill(const ContactBodies& bodies, const LawTable& laws, Workers
         const Real inverse = bodies.inverse_mass[a] + bodies.inverse_mass[b];
         contact.normal_mass = 1 / inverse;
         contact.tangent_mass = 1 / (inverse + bodies.mobility[a] + bodies.mobility[b]);
-        while (old < old_end && carried_[old].other < b) ++old;
-        const bool met = old < old_end && carried_[old].other == b;
-        contact.solved = met ? carried_[old].solved : ContactImpulse{};
-        contact.relaxed = met ? carried_[old].relaxed : ContactImpulse{};
+        while (old < old_end && carried_.other[old] < b) ++old;
+        const bool met = old < old_end && carried_.other[old] == b;
+        contact.solved = met ? carried_.impulses[old].solved : ContactImpulse{};
+        contact.relaxed = met ? carried_.impulses[old].relaxed : ContactImpulse{};
       }
     }
   });
@@ -285,23 +319,26 @@ Contact ContactSet::wall_contact(const ContactBodies& bodies, const std::vector<
   contact.friction = laws.of(shapes[wall].material, bodies.material[slot]).friction;
   contact.normal_mass = 1 / bodies.inverse_mass[slot];
   contact.tangent_mass = 1 / (bodies.inverse_mass[slot] + bodies.mobility[slot]);
-  if (slot + 1 >= old_first_wall_.size()) return contact;
-  for (std::uint32_t old = old_first_wall_[slot]; old < old_first_wall_[slot + 1]; ++old) {
-    if (carried_walls_[old].other != wall) continue;
-    contact.solved = carried_walls_[old].solved;
-    contact.relaxed = carried_walls_[old].relaxed;
+  if (slot + 1 >= carried_walls_.first.size()) return contact;
+  for (std::uint32_t old = carried_walls_.first[slot]; old < carried_walls_.first[slot + 1]; ++old) {
+    if (carried_walls_.other[old] != wall) continue;
+    contact.solved = carried_walls_.impulses[old].solved;
+    contact.relaxed = carried_walls_.impulses[old].relaxed;
   }
   return contact;
+}
+
+std::size_t ContactSet::Carried::bytes() const {
+  return capacity_bytes(first) + capacity_bytes(other) + capacity_bytes(impulses);
 }
 
 std::size_t ContactSet::bytes() const {
   std::size_t sum = grid_.bytes() + capacity_bytes(pairs) + capacity_bytes(walls) + capacity_bytes(place) +
                     capacity_bytes(first_of_slot) + capacity_bytes(first_wall_of_slot) + capacity_bytes(swept) +
                     capacity_bytes(grid_radius_) + capacity_bytes(fast_) + capacity_bytes(is_fast_) +
-                    capacity_bytes(other_) + capacity_bytes(colour_) + capacity_bytes(used_) +
-                    capacity_bytes(carried_) + capacity_bytes(carried_walls_) + capacity_bytes(old_first_) +
-                    capacity_bytes(old_first_wall_);
-  for (const auto& list : near_) sum += capacity_bytes(list);
+                    capacity_bytes(other_) + capacity_bytes(colour_) + capacity_bytes(used_) + carried_.bytes() +
+                    carried_walls_.bytes();
+  for (const auto& list : fast_near_) sum += capacity_bytes(list);
   for (const auto& list : watched_) sum += capacity_bytes(list);
   for (const auto& list : near_walls_) sum += capacity_bytes(list);
   return sum;

@@ -17,16 +17,16 @@ struct ContactImpulse {
   Vector3<Real> tangent;
 };
 
-/// One contact, as the solver streams it: two cache lines in double.
-struct Contact {
+/// One contact, as the solver streams it: two cache lines in double, of which one that bears no load needs the first.
+struct alignas(cache_line_of<Real>) Contact {
   std::uint32_t a = 0, b = 0;  ///< slots, a < b; of a wall's contact, a is the wall
   Vector3<Real> normal;        ///< from a to b
   Real least_speed = 0;        ///< b must leave a at no less, or the gap closes in this substep [m/s]
   Real normal_mass = 0;        ///< impulse per normal speed [kg]
-  Real tangent_mass = 0;       ///< and per slip
   Real friction = 0;           ///< mu
-  ContactImpulse solved;       ///< what the gap needed in this substep
-  ContactImpulse relaxed;      ///< and velocities beyond that
+  ContactImpulse solved;       ///< what the gap needed in this substep; its tangent begins the second line
+  Real tangent_mass = 0;       ///< impulse per slip [kg]
+  ContactImpulse relaxed;      ///< what velocities needed beyond `solved`
   ContactImpulse sum() const { return {solved.normal + relaxed.normal, solved.tangent + relaxed.tangent}; }
   /// Is there any impulse to go on from?
   bool bears() const { return solved.normal != 0 || relaxed.normal != 0; }
@@ -43,7 +43,7 @@ class ContactSet {
   std::vector<Contact> pairs, walls;
   std::vector<std::size_t> colour_begin;  ///< first contact of each colour, and the end
   bool last_colour_shares = false;
-  static constexpr std::uint8_t was_loaded = 1, reflected = 2, touches = 4;
+  static constexpr std::uint8_t was_loaded = 1, reflected = 2, touches = 4, approaches = 8;
   std::vector<std::uint8_t> pair_marks, wall_marks;  ///< of each contact in this substep
   std::vector<std::uint32_t> place;                  ///< of each pair in the order of slots: where it lies in `pairs`
   std::vector<std::uint32_t> first_of_slot;  ///< in the order of slots: first pair whose a is the slot, and the end
@@ -70,17 +70,26 @@ class ContactSet {
   std::size_t bytes() const;
 
  private:
+  /// Impulses of the step before that were not zero.
   struct Carried {
-    std::uint32_t other;  ///< slot or wall
-    ContactImpulse solved, relaxed;
+    std::vector<std::uint32_t> first;  ///< of each slot, and the end
+    std::vector<std::uint32_t> other;  ///< slot or wall
+    struct Impulses {
+      ContactImpulse solved, relaxed;
+    };
+    std::vector<Impulses> impulses;
+    std::size_t bytes() const;
   };
   void find_reaches(const ContactBodies& bodies, Real step, Real margin);
   void sift(const ContactBodies& bodies, std::size_t first, const Period& period, Real step, Real margin,
             Workers& workers);
-  void sift_pair(const ContactBodies& bodies, const Period& period, Real step, Real margin, Pair pair,
-                 std::vector<Pair>& near, std::vector<WatchedPair>& watched) const;
-  void remember();
-  void order(std::size_t slots);
+  bool is_contact(const ContactBodies& bodies, const Period& period, Real step, Real margin, Pair pair,
+                  std::vector<WatchedPair>& watched) const;
+  void remember(Workers& workers);
+  template <class At, class Other>
+  static void keep_impulses(const std::vector<std::uint32_t>& first, At at, Other other, Carried& kept,
+                            Workers& workers);
+  void order(std::size_t begin, std::size_t end, Workers& workers);
   void colour(std::size_t slots);
   void fill(const ContactBodies& bodies, const LawTable& laws, Workers& workers);
   void find_walls(const ContactBodies& bodies, const std::vector<Wall>& shapes, const std::vector<WallMoment>& moments,
@@ -92,16 +101,15 @@ class ContactSet {
   std::vector<Real> grid_radius_;
   std::vector<std::uint32_t> fast_;  ///< bodies that go too far in a step for the grid
   std::vector<std::uint8_t> is_fast_;
-  std::size_t lists_ = 0;                ///< of candidates in this step: blocks of each copy, and fast bodies
-  std::vector<std::vector<Pair>> near_;  ///< contacts of each block of candidates
+  std::size_t lists_ = 0;                     ///< of candidates in this step: blocks of each copy, and fast bodies
+  std::vector<std::vector<Pair>> fast_near_;  ///< contacts of each fast body, by slot in its copy
   std::vector<std::vector<WatchedPair>> watched_;
   std::vector<std::uint32_t> other_;           ///< in the order of slots: b of each pair
   std::vector<Real> wall_ways_;                ///< farthest that each wall may go in the step [m]
   std::vector<std::vector<Pair>> near_walls_;  ///< wall and slot, of each block of slots
   std::vector<std::uint8_t> colour_;
-  std::vector<std::uint64_t> used_;                        ///< colours of each slot
-  std::vector<Carried> carried_, carried_walls_;           ///< impulses of the step before, in the order of slots
-  std::vector<std::uint32_t> old_first_, old_first_wall_;  ///< of each slot, in these
+  std::vector<std::uint64_t> used_;  ///< colours of each slot
+  Carried carried_, carried_walls_;
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -15,9 +15,11 @@ constexpr int most_passes = 8;
 /// Marks the bodies that leave the way they were expected to go, and ends motions where nothing was looked for.
 bool ImpulseSolver::find_deflected(Real substep, Workers& workers) {
   std::atomic<bool> any = false;
+  const bool first = settings.substeps == 1;
+  const VectorColumn &start = first ? bodies.position : start_, &planned = first ? bodies.velocity : planned_;
   for_slots(workers, [&](std::size_t i) {
-    const Vector3<Real> from_start = bodies.position.at(i) - start_.at(i), motion = substep * movers_[i].velocity;
-    const Vector3<Real> off = from_start + motion - elapsed_ * planned_.at(i);
+    const Vector3<Real> from_start = bodies.position.at(i) - start.at(i), motion = substep * movers_[i].velocity;
+    const Vector3<Real> off = from_start + motion - elapsed_ * planned.at(i);
     const Real free = settings.margin * bodies.radius[i];
     deflected_[i] = dot(off, off) > free * free;
     if (!deflected_[i]) return;

@@ -16,9 +16,15 @@ constexpr std::uint32_t most_spent = 128;
 /// Approaches this much slower than the impact that set their bodies in motion are left to the solver: a series of
 /// ever smaller bounces ends here.
 constexpr Real negligible = std::max(Real(1e-9), 8 * std::numeric_limits<Real>::epsilon());
-constexpr std::size_t sets_per_task = 64;
+constexpr std::size_t sets_per_task = 64, contacts_per_task = 256, most_blocks = 16;
 /// Updates of a set: as many as it takes, but large sets share a budget.
 constexpr std::size_t most_updates = 400, update_budget = 8192, least_updates = 4;
+
+template <class T>
+void append(std::vector<T>& list, const T& item) {
+  if (list.size() == list.capacity()) list.reserve(list.size() * 5 / 4 + 16);
+  list.push_back(item);
+}
 
 std::size_t contact_index(const std::vector<Contact>& list, const Contact& contact) {
   return static_cast<std::size_t>(&contact - list.data());
@@ -47,34 +53,29 @@ Real Substep::place(Contact& contact, bool wall, const Vector3<Real>& kick_a, co
   return gap + dot(approach.normal, moved) < 0 ? approach.moment : Real(2);
 }
 
-void Impacts::begin(std::size_t slots) {
-  kick.resize(slots);
-  spin_kick.resize(slots);
+void Impacts::begin(const ContactBodies& bodies, std::vector<Mover>& movers) {
+  const std::size_t slots = bodies.count;
+  bodies_ = &bodies;
+  movers_ = &movers;
+  movers.resize(slots);
   is_touched_.resize(slots, 0);
   scale_.resize(slots);
   spent_.resize(slots);
   earliest_.resize(slots);
   parent_.resize(slots);
   set_of_root_.resize(slots);
-  for (const std::uint32_t slot : touched) is_touched_[slot] = 0;
-  touched.clear();
+  for (const std::uint32_t slot : touched_) is_touched_[slot] = 0;
+  touched_.clear();
   count = rounds = unfinished = 0;
 }
 
 void Impacts::resolve(const Substep& substep, ContactSet& set, const std::vector<std::vector<Index>>& first,
                       Workers& workers) {
-  bodies_ = &substep.bodies;
   pair_count_ = set.pairs.size();
   next_.clear();
   for (const auto& list : first) next_.insert(next_.end(), list.begin(), list.end());
   while (!next_.empty()) {
-    meetings_.clear();
-    for (const Index index : next_) {
-      Meeting meeting;
-      if (!approaches(substep, set, index, meeting)) continue;
-      if (meetings_.size() == meetings_.capacity()) meetings_.reserve(meetings_.size() * 5 / 4 + 64);
-      meetings_.push_back(meeting);
-    }
+    find_meetings(substep, set, workers);
     if (meetings_.empty()) return;
     keep_first();
     ++rounds;
@@ -93,6 +94,35 @@ void Impacts::resolve(const Substep& substep, ContactSet& set, const std::vector
   }
 }
 
+/// Of the contacts in `next_` those that meet and approach, in the same order. All are held against the bodies as the
+/// last round left them.
+void Impacts::find_meetings(const Substep& substep, ContactSet& set, Workers& workers) {
+  const std::size_t per_block = std::max(contacts_per_task, (next_.size() + most_blocks - 1) / most_blocks);
+  const std::size_t blocks = (next_.size() + per_block - 1) / per_block;
+  if (found_.size() < blocks) found_.resize(blocks);
+  const auto find = [&](std::size_t block) {
+    Found& found = found_[block];
+    found.hits.clear();
+    found.unfinished = 0;
+    const std::size_t first = block * per_block, last = std::min(first + per_block, next_.size());
+    for (std::size_t i = first; i < last; ++i) {
+      Hit hit;
+      if (approaches(substep, set, next_[i], hit, found.unfinished)) append(found.hits, hit);
+    }
+  };
+  workers.for_each(blocks, find, blocks < 2 ? 1 : workers.threads());
+  meetings_.clear();
+  for (std::size_t block = 0; block < blocks; ++block) {
+    unfinished += found_[block].unfinished;
+    for (const Hit& hit : found_[block].hits) append(meetings_, meeting_of(substep, set, hit));
+  }
+}
+
+Vector3<Real> Impacts::start_over(const Substep& substep, const Contact& contact, bool wall) {
+  const VectorColumn& velocity = substep.bodies.velocity;
+  return velocity.at(contact.b) - (wall ? substep.moments[contact.a].velocity : velocity.at(contact.a));
+}
+
 /// A body meets what it meets first; the others wait for the next round, in which they may not meet any more.
 void Impacts::keep_first() {
   constexpr Real together = Real(1e-6);  // of a substep
@@ -102,7 +132,8 @@ void Impacts::keep_first() {
   };
   for (const Meeting& m : meetings_) each_body(m, [&](std::uint32_t slot) { earliest_[slot] = 2; });
   for (const Meeting& m : meetings_) {
-    each_body(m, [&](std::uint32_t slot) { earliest_[slot] = std::min(earliest_[slot], m.moment); });
+    each_body(m,
+              [&](std::uint32_t slot) { earliest_[slot] = std::min(earliest_[slot], static_cast<float>(m.moment)); });
   }
   later_.clear();
   std::size_t kept = 0;
@@ -118,53 +149,60 @@ void Impacts::keep_first() {
   meetings_.resize(kept);
 }
 
-/// Places the contact anew; true if its sides approach and meet, and then what its set needs to know.
-bool Impacts::approaches(const Substep& substep, ContactSet& set, Index index, Meeting& meeting) {
+/// Places the contact anew; true if its sides approach and meet.
+bool Impacts::approaches(const Substep& substep, ContactSet& set, Index index, Hit& hit,
+                         std::uint64_t& given_up) const {
   const bool wall = is_wall(index);
   Contact& contact = wall ? set.walls[index - pair_count_] : set.pairs[set.place[index]];
-  const ContactBodies& bodies = substep.bodies;
   const std::uint32_t a = contact.a, b = contact.b;
-  const auto scale_of = [&](std::uint32_t slot) { return is_touched_[slot] ? scale_[slot] : Real(0); };
+  const auto scale_of = [&](std::uint32_t slot) { return is_touched_[slot] ? Real(scale_[slot]) : Real(0); };
   const Vector3<Real> kick_a = wall ? Vector3<Real>{} : kick_of(a), kick_b = kick_of(b);
-  meeting.moment = substep.place(contact, wall, kick_a, kick_b);
-  const Vector3<Real> other = wall ? substep.moments[a].velocity : bodies.velocity.at(a);
-  const Vector3<Real> over = bodies.velocity.at(b) - other, kicks = kick_b - kick_a;
-  meeting.base = contact.loaded() ? Real(0) : dot(contact.normal, over);
-  const Real approach = -(meeting.base + dot(contact.normal, kicks));
+  hit.index = index;
+  hit.moment = substep.place(contact, wall, kick_a, kick_b);
+  const Real base = contact.loaded() ? Real(0) : dot(contact.normal, start_over(substep, contact, wall));
+  hit.approach = -(base + dot(contact.normal, kick_b - kick_a));
   const Real noticed = std::max(negligible * std::max(wall ? Real(0) : scale_of(a), scale_of(b)),
                                 contact.sum().normal / contact.normal_mass);
-  if (meeting.moment > 1 || !(approach > noticed)) return false;
+  if (hit.moment > 1 || !(hit.approach > noticed)) return false;
   const auto spent = [&](std::uint32_t slot) { return is_touched_[slot] && spent_[slot] >= most_spent; };
-  if (spent(b) || (!wall && spent(a))) {
-    ++unfinished;
-    return false;
-  }
+  if (!spent(b) && (wall || !spent(a))) return true;
+  ++given_up;
+  return false;
+}
+
+/// What its set needs to know of a contact that was hit; its bodies count as touched.
+Impacts::Meeting Impacts::meeting_of(const Substep& substep, const ContactSet& set, const Hit& hit) {
+  const bool wall = is_wall(hit.index);
+  const Contact& contact = wall ? set.walls[hit.index - pair_count_] : set.pairs[set.place[hit.index]];
+  const ContactBodies& bodies = substep.bodies;
+  const std::uint32_t a = contact.a, b = contact.b;
   const ImpactLaw& law = wall ? substep.laws.of(substep.walls[a].material, bodies.material[b])
                               : substep.laws.of(bodies.material[a], bodies.material[b]);
-  meeting.index = index;
+  Meeting meeting;
+  meeting.index = hit.index;
   meeting.contact = &contact;
-  meeting.wanted = approach > substep.restitution_threshold ? law.restitution * approach : Real(0);
-  meeting.drift = over;
+  meeting.moment = hit.moment;
+  meeting.drift = start_over(substep, contact, wall);
+  meeting.base = contact.loaded() ? Real(0) : dot(contact.normal, meeting.drift);
+  meeting.wanted = hit.approach > substep.restitution_threshold ? law.restitution * hit.approach : Real(0);
   if (bodies.spins) {
     Vector3<Real> surfaces = bodies.surface.at(b);
     if (!wall) surfaces += bodies.surface.at(a);
     meeting.drift -= cross(surfaces, contact.normal);
   }
-  for (const std::uint32_t slot : {wall ? b : a, b}) {
-    touch(slot);
-    scale_[slot] = std::max(scale_[slot], approach);
-  }
-  return true;
+  for (const std::uint32_t slot : {wall ? b : a, b}) touch(slot, hit.approach);
+  return meeting;
 }
 
-void Impacts::touch(std::uint32_t slot) {
-  if (is_touched_[slot]) return;
-  is_touched_[slot] = 1;
-  touched.push_back(slot);
-  kick.put(slot, {});
-  spin_kick.put(slot, {});
-  scale_[slot] = 0;
-  spent_[slot] = 0;
+void Impacts::touch(std::uint32_t slot, Real approach) {
+  if (!is_touched_[slot]) {
+    is_touched_[slot] = 1;
+    touched_.push_back(slot);
+    (*movers_)[slot] = {{}, {}, bodies_->inverse_mass[slot], bodies_->mobility[slot]};
+    scale_[slot] = 0;
+    spent_[slot] = 0;
+  }
+  scale_[slot] = std::max(scale_[slot], static_cast<float>(approach));
 }
 
 std::uint32_t Impacts::root(std::uint32_t slot) {
@@ -208,7 +246,8 @@ void Impacts::reflect(std::size_t first, std::size_t last) {
   const std::size_t size = last - first;
   const std::size_t updates = size == 1 ? 1 : std::clamp(update_budget / size, least_updates, most_updates);
   Real fastest = 0;
-  for (std::size_t i = first; i < last; ++i) fastest = std::max(fastest, scale_[meetings_[sorted_[i]].contact->b]);
+  for (std::size_t i = first; i < last; ++i)
+    fastest = std::max(fastest, Real(scale_[meetings_[sorted_[i]].contact->b]));
   const Real close = std::numeric_limits<Real>::epsilon() * fastest / 4;
   for (std::size_t n = 0; n < updates; ++n) {
     Real error = 0;
@@ -230,34 +269,32 @@ void Impacts::spend(ContactSet& set, std::size_t first, std::size_t last) {
   }
 }
 
-Vector3<Real> Impacts::kick_difference(const Contact& contact, bool wall, const VectorColumn& column) const {
-  return wall ? column.at(contact.b) : column.at(contact.b) - column.at(contact.a);
-}
-
 /// Gauss-Seidel: this contact's own law, given the others' impulses. Friction is capped by the whole impulse.
 Real Impacts::update(Meeting& m) {
   const Contact& c = *m.contact;
   const bool wall = is_wall(m.index);
-  const Vector3<Real> kicks = kick_difference(c, wall, kick);
+  Mover& b = (*movers_)[c.b];
+  Mover* a = wall ? nullptr : &(*movers_)[c.a];
+  const Vector3<Real> kicks = wall ? b.velocity : b.velocity - a->velocity;
   const Real speed = m.base + dot(c.normal, kicks);
   const Real impulse = std::max(Real(0), m.impulse + c.normal_mass * (m.wanted - speed));
   const Real error = std::abs(impulse - m.impulse) / c.normal_mass;
   Vector3<Real> push = (impulse - m.impulse) * c.normal;
   m.impulse = impulse;
   if (bodies_->spins) {
-    Vector3<Real> spins = spin_kick.at(c.b);
-    if (!wall) spins += spin_kick.at(c.a);
+    Vector3<Real> spins = b.surface;
+    if (!wall) spins += a->surface;
     const Vector3<Real> over = m.drift + kicks;
     const Vector3<Real> slip = over - dot(c.normal, over) * c.normal - cross(spins, c.normal);
     const Vector3<Real> tangent = within_cone(m.tangent - c.tangent_mass * slip, c.friction * impulse);
     const Vector3<Real> change = tangent - m.tangent, turned = cross(c.normal, change);
     m.tangent = tangent;
     push += change;
-    spin_kick.put(c.b, spin_kick.at(c.b) - bodies_->mobility[c.b] * turned);
-    if (!wall) spin_kick.put(c.a, spin_kick.at(c.a) - bodies_->mobility[c.a] * turned);
+    b.twist(turned);
+    if (!wall) a->twist(turned);
   }
-  kick.put(c.b, kick.at(c.b) + bodies_->inverse_mass[c.b] * push);
-  if (!wall) kick.put(c.a, kick.at(c.a) - bodies_->inverse_mass[c.a] * push);
+  b.push(push);
+  if (!wall) a->push(Real(-1) * push);
   return error;
 }
 
@@ -295,9 +332,11 @@ void Impacts::find_neighbours(const ContactSet& set) {
 
 std::size_t Impacts::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  return kick.bytes() + spin_kick.bytes() + of(touched) + of(meetings_) + of(sorted_) + of(next_) + of(is_touched_) +
-         of(scale_) + of(spent_) + of(earliest_) + of(later_) + of(changed_) + of(parent_) + of(set_of_root_) +
-         of(set_begin_) + of(before_begin_) + of(before_);
+  std::size_t found = of(found_);
+  for (const Found& block : found_) found += of(block.hits);
+  return found + of(touched_) + of(meetings_) + of(sorted_) + of(next_) + of(is_touched_) + of(scale_) + of(spent_) +
+         of(earliest_) + of(later_) + of(changed_) + of(parent_) + of(set_of_root_) + of(set_begin_) +
+         of(before_begin_) + of(before_);
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -5,7 +5,7 @@
 // restitution 1 energy is kept.
 #pragma once
 
-#include "engine/contact/contact_set.h"
+#include "engine/contact/rows.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -32,12 +32,11 @@ class Impacts {
   /// Contact i < pairs.size() is pair i in the order of slots; those behind are contacts with walls.
   using Index = std::uint32_t;
 
-  /// What impacts add to velocity and surface speed, for the bodies in `touched`.
-  VectorColumn kick, spin_kick;
-  std::vector<std::uint32_t> touched;
-
-  void begin(std::size_t slots);
-  Vector3<Real> kick_of(std::size_t slot) const { return is_touched_[slot] ? kick.at(slot) : Vector3<Real>{}; }
+  /// For one substep. What impacts add to velocities and surface speeds goes into the movers of the bodies that they
+  /// touch; those of the others hold nothing yet.
+  void begin(const ContactBodies& bodies, std::vector<Mover>& movers);
+  bool touches(std::size_t slot) const { return is_touched_[slot]; }
+  Vector3<Real> kick_of(std::size_t slot) const { return touches(slot) ? (*movers_)[slot].velocity : Vector3<Real>{}; }
   /// Reflects `first` (sorted), then what that sets in motion.
   void resolve(const Substep& substep, ContactSet& set, const std::vector<std::vector<Index>>& first, Workers& workers);
   void forget_neighbours() { neighbours_known_ = false; }
@@ -58,7 +57,18 @@ class Impacts {
     Vector3<Real> drift;  ///< slip but for the kicks
     std::uint32_t set = 0;
   };
-  bool approaches(const Substep& substep, ContactSet& set, Index index, Meeting& meeting);
+  /// A contact that meets and approaches: when and how fast.
+  struct Hit {
+    Index index;
+    Real moment, approach;
+  };
+  struct Found {
+    std::vector<Hit> hits;  ///< of a block of contacts
+    std::uint64_t unfinished = 0;
+  };
+  void find_meetings(const Substep& substep, ContactSet& set, Workers& workers);
+  bool approaches(const Substep& substep, ContactSet& set, Index index, Hit& hit, std::uint64_t& given_up) const;
+  Meeting meeting_of(const Substep& substep, const ContactSet& set, const Hit& hit);
   void find_neighbours(const ContactSet& set);
   void gather_next(const ContactSet& set);
   void keep_first();
@@ -68,18 +78,22 @@ class Impacts {
   /// Marks the contacts of a set as reflected, and counts what that cost its bodies.
   void spend(ContactSet& set, std::size_t first, std::size_t last);
   Real update(Meeting& meeting);
-  Vector3<Real> kick_difference(const Contact& contact, bool wall, const VectorColumn& column) const;
+  /// Velocity of b over a (a body or a wall) without any kick.
+  static Vector3<Real> start_over(const Substep& substep, const Contact& contact, bool wall);
   bool is_wall(Index index) const { return index >= pair_count_; }
-  void touch(std::uint32_t slot);
+  void touch(std::uint32_t slot, Real approach);
 
   const ContactBodies* bodies_ = nullptr;
+  std::vector<Mover>* movers_ = nullptr;
+  std::vector<std::uint32_t> touched_;
   std::size_t pair_count_ = 0;
   std::vector<Meeting> meetings_;
+  std::vector<Found> found_;
   std::vector<std::uint32_t> sorted_;  ///< meetings in the order of their sets
   std::vector<Index> next_, later_;
-  std::vector<Real> earliest_;  ///< moment at which each body of a round meets another
+  std::vector<float> earliest_;  ///< moment at which each body of a round meets another
   std::vector<std::uint8_t> is_touched_;
-  std::vector<Real> scale_;           ///< of each touched body: the fastest approach that it took part in
+  std::vector<float> scale_;          ///< of each touched body: the fastest approach that it took part in
   std::vector<std::uint32_t> spent_;  ///< by each touched body, see most_spent
   std::vector<std::uint32_t> changed_, parent_, set_of_root_, set_begin_;
   bool neighbours_known_ = false;

@@ -1,6 +1,7 @@
 #include "engine/contact/impulse_solver.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,7 @@ void ImpulseSolver::find(double time, Real step, Workers& workers) {
   counters_.peak_pairs = std::max<std::uint64_t>(counters_.peak_pairs, set_.candidates);
   counters_.colours = std::max(counters_.colours, static_cast<int>(set_.colour_begin.size()) - 1);
   elapsed_ = 0;
+  if (settings.substeps == 1) return;  // then the bodies themselves are as they were planned
   start_ = bodies.position;
   planned_ = bodies.velocity;
 }
@@ -35,13 +37,29 @@ void ImpulseSolver::find(double time, Real step, Workers& workers) {
 void ImpulseSolver::reflect(double time, Real substep, Workers& workers) {
   set_moments(time, substep);
   elapsed_ += substep;
-  impacts_.begin(bodies.count);
+  impacts_.begin(bodies, movers_);
   prepare(substep, workers);
   impacts_.resolve({bodies, walls, moments_, laws, period, substep, settings.push_out, settings.restitution_threshold},
                    set_, closing_, workers);
   counters_.impacts += impacts_.count;
   counters_.impact_rounds = std::max(counters_.impact_rounds, impacts_.rounds);
   counters_.unfinished_impacts += impacts_.unfinished;
+  mark_approaches(workers);
+}
+
+/// Which contacts that may come to rest approach at the start, after all impacts.
+void ImpulseSolver::mark_approaches(Workers& workers) {
+  for_contacts(workers, [&](const std::vector<Contact>& list, std::size_t first, std::size_t last, bool wall) {
+    std::vector<std::uint8_t>& marks = wall ? set_.wall_marks : set_.pair_marks;
+    for (std::size_t i = first; i < last; ++i) {
+      if (!marks[i] || (marks[i] & ContactSet::was_loaded)) continue;
+      const Contact& contact = list[i];
+      const Vector3<Real> a =
+          wall ? moments_[contact.a].velocity : bodies.velocity.at(contact.a) + impacts_.kick_of(contact.a);
+      const Vector3<Real> b = bodies.velocity.at(contact.b) + impacts_.kick_of(contact.b);
+      if (dot(contact.normal, b - a) < 0) marks[i] |= ContactSet::approaches;
+    }
+  });
 }
 
 void ImpulseSolver::solve(Workers& workers) {
@@ -123,15 +141,15 @@ Vector3<Real> ImpulseSolver::mean_surface(std::size_t slot) const {
 
 /// Mean velocities over the substep, with what impacts have added.
 void ImpulseSolver::start_movers(Workers& workers) {
-  movers_.resize(bodies.count);
   for_slots(workers, [&](std::size_t i) {
-    movers_[i] = {mean_velocity(i), {}, bodies.inverse_mass[i], bodies.mobility[i]};
-    if (bodies.spins) movers_[i].surface = mean_surface(i);
+    Mover mover{mean_velocity(i), {}, bodies.inverse_mass[i], bodies.mobility[i]};
+    if (bodies.spins) mover.surface = mean_surface(i);
+    if (impacts_.touches(i)) {
+      mover.velocity += movers_[i].velocity;
+      if (bodies.spins) mover.surface += movers_[i].surface;
+    }
+    movers_[i] = mover;
   });
-  for (const std::uint32_t slot : impacts_.touched) {
-    movers_[slot].velocity += impacts_.kick.at(slot);
-    if (bodies.spins) movers_[slot].surface += impacts_.spin_kick.at(slot);
-  }
 }
 
 template <class Act>
@@ -176,7 +194,7 @@ void ImpulseSolver::keep_apart(Workers& workers) {
   }
   sweep(
       [](const Contact& contact, auto& a, Mover& b) {
-        apply<friction>(contact.solved, contact.normal, a, b);
+        if (contact.solved.normal != 0) apply<friction>(contact.solved, contact.normal, a, b);
         return Real(0);
       },
       workers);
@@ -216,14 +234,25 @@ Vector3<Real> ImpulseSolver::end_velocity(std::size_t slot) const {
 /// over within the substep.
 bool ImpulseSolver::settles(const Contact& contact, std::uint8_t mark, bool wall) const {
   const Vector3<Real> mean_a = wall ? wall_sides_[contact.a].velocity : movers_[contact.a].velocity;
-  const Vector3<Real> start_a =
-      wall ? moments_[contact.a].velocity : bodies.velocity.at(contact.a) + impacts_.kick_of(contact.a);
-  const Vector3<Real> start_b = bodies.velocity.at(contact.b) + impacts_.kick_of(contact.b);
-  if (!(mark & ContactSet::was_loaded) && dot(contact.normal, start_b - start_a) < 0) return false;
+  if (mark & ContactSet::approaches) return false;
   const Vector3<Real> end_a = wall ? moments_[contact.a].end_velocity : end_velocity(contact.a);
   const Real gap = contact.least_speed > 0 ? -contact.least_speed / settings.push_out : -contact.least_speed;
   const Real parting = dot(contact.normal, movers_[contact.b].velocity - mean_a);
   return gap + parting + dot(contact.normal, end_velocity(contact.b) - end_a) < 0;
+}
+
+/// act(list, first, last, with walls?) for parts of both lists of contacts.
+template <class Act>
+void ImpulseSolver::for_contacts(Workers& workers, Act act) {
+  const std::size_t pairs = tasks(set_.pairs.size(), contacts_per_task);
+  const std::size_t all = pairs + tasks(set_.walls.size(), contacts_per_task);
+  const auto task = [&](std::size_t t) {
+    const bool wall = t >= pairs;
+    std::vector<Contact>& list = wall ? set_.walls : set_.pairs;
+    const std::size_t first = (wall ? t - pairs : t) * contacts_per_task;
+    act(list, first, std::min(first + contacts_per_task, list.size()), wall);
+  };
+  workers.for_each(all, task, all < 4 ? 1 : workers.threads());
 }
 
 /// Which contacts hold the velocity itself: the least normal speed is 0 for them, and none for the others.
@@ -234,18 +263,10 @@ void ImpulseSolver::choose_held(Workers& workers) {
     contact.least_speed = held ? Real(0) : free;
     if (!held || contact.relaxed.normal < -contact.solved.normal) contact.relaxed = {};
   };
-  const std::size_t pairs = tasks(set_.pairs.size(), contacts_per_task);
-  const std::size_t all = pairs + tasks(set_.walls.size(), contacts_per_task);
-  const auto task = [&](std::size_t t) {
-    const bool wall = t >= pairs;
-    std::vector<Contact>& list = wall ? set_.walls : set_.pairs;
+  for_contacts(workers, [&](std::vector<Contact>& list, std::size_t first, std::size_t last, bool wall) {
     const std::vector<std::uint8_t>& marks = wall ? set_.wall_marks : set_.pair_marks;
-    const std::size_t first = (wall ? t - pairs : t) * contacts_per_task;
-    for (std::size_t i = first; i < std::min(first + contacts_per_task, list.size()); ++i) {
-      choose(list[i], marks[i], wall);
-    }
-  };
-  workers.for_each(all, task, all < 4 ? 1 : workers.threads());
+    for (std::size_t i = first; i < last; ++i) choose(list[i], marks[i], wall);
+  });
 }
 
 /// Contacts that bear a load hold the velocity itself: what rests is left with none.
@@ -254,7 +275,7 @@ void ImpulseSolver::settle(Workers& workers) {
   for (std::size_t w = 0; w < walls.size(); ++w) wall_sides_[w].velocity = moments_[w].end_velocity;
   sweep(
       [](const Contact& contact, auto& a, Mover& b) {
-        apply<friction>(contact.relaxed, contact.normal, a, b);
+        if (contact.least_speed == 0) apply<friction>(contact.relaxed, contact.normal, a, b);
         return Real(0);
       },
       workers);
@@ -274,10 +295,13 @@ void ImpulseSolver::finish(Workers& workers) {
     bodies.end_velocity.put(i, movers_[i].velocity);
     if (bodies.spins) bodies.end_surface.put(i, movers_[i].surface);
   });
-  std::uint64_t loaded = 0;
-  for (const auto* list : {&set_.pairs, &set_.walls}) {
-    for (const Contact& contact : *list) loaded += contact.loaded();
-  }
+  std::atomic<std::uint64_t> all = 0;
+  for_contacts(workers, [&](const std::vector<Contact>& list, std::size_t first, std::size_t last, bool) {
+    std::uint64_t loaded = 0;
+    for (std::size_t i = first; i < last; ++i) loaded += list[i].loaded();
+    all.fetch_add(loaded, std::memory_order_relaxed);
+  });
+  const std::uint64_t loaded = all;
   counters_.contacts += loaded;
   counters_.peak_contacts = std::max(counters_.peak_contacts, loaded);
 }

@@ -11,6 +11,7 @@ namespace ballpark::BALLPARK_PRECISION {
 
 /// Numbers of a contact step that the scene chooses.
 struct ImpulseSettings {
+  int substeps = 1;  ///< of a step, for which contacts are found once
   int iterations = 12;
   int relax_iterations = 3;
   Real margin = Real(0.2);         ///< a contact: surfaces that pass at less than this many radii
@@ -69,6 +70,9 @@ class ImpulseSolver : public ContactScene {
   void keep_apart(Workers& workers);
   Vector3<Real> end_velocity(std::size_t slot) const;
   bool settles(const Contact& contact, std::uint8_t mark, bool wall) const;
+  void mark_approaches(Workers& workers);
+  template <class Act>
+  void for_contacts(Workers& workers, Act act);
   void choose_held(Workers& workers);
   void advance_bodies(Real substep, Workers& workers);
   /// act(slot) for all, on all threads.
@@ -96,7 +100,7 @@ class ImpulseSolver : public ContactScene {
   std::vector<WallSide> wall_sides_;  ///< mean velocity of each wall's surface over the substep; then at its end
   std::vector<std::vector<std::uint32_t>> closing_;  ///< contacts that impacts begin with, by block
   std::vector<Real> block_maximum_;
-  VectorColumn start_, planned_;       ///< when contacts were found: positions, and velocities without contacts
+  VectorColumn start_, planned_;       ///< of several substeps: positions and velocities when contacts were found
   Real elapsed_ = 0;                   ///< since then, at the end of this substep [s]
   std::vector<Real> share_, shorter_;  ///< of its motion in the substep that each body does
   std::vector<std::uint8_t> deflected_, next_deflected_;

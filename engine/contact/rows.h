@@ -7,7 +7,7 @@
 namespace ballpark::BALLPARK_PRECISION {
 
 /// A body as the solver sees it: one cache line in double.
-struct Mover {
+struct alignas(cache_line_of<Real>) Mover {
   Vector3<Real> velocity;
   Vector3<Real> surface;  ///< R w
   Real inverse_mass = 0;

@@ -79,6 +79,7 @@ void Builder::choose_impulse() {
   made->substeps = contact.substeps;
   world_.contact_method_ = method_for(*world_.row_, world_.step_ / contact.substeps);
   ImpulseSettings& settings = made->solver.settings;
+  settings.substeps = contact.substeps;
   settings.iterations = contact.iterations;
   settings.relax_iterations = contact.relax_iterations;
   settings.margin = static_cast<Real>(contact.margin);

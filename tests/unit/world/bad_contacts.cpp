@@ -1,4 +1,6 @@
 // What contacts refuse: each problem is named by its path and says what was expected.
+#include <cmath>
+
 #include "tests/catch.h"
 #include "tests/unit/world/made_scenes.h"
 
@@ -91,4 +93,39 @@ TEST_CASE("Bad contacts: settings, and bodies that cannot touch", "[world]") {
   scene = touching();
   scene.effects = {effect("pivot", {{"point", Vector3d(0, 0, 9)}})};
   check_one(scene, "bodies[0].shape", "pivot");
+}
+
+TEST_CASE("Bad contacts: penalty asks for its own settings, and no others", "[world]") {
+  const auto with = [](auto change) {
+    Scene scene = touching();
+    scene.contact.kind = "penalty";
+    scene.contact.stiffness = 1e4;
+    scene.run.step = 1e-5;
+    change(scene);
+    return scene;
+  };
+  CHECK(ballpark::check(with([](Scene&) {})).empty());
+  check_one(with([](Scene& s) { s.contact.stiffness = 0; }), "contact.stiffness", "> 0");
+  check_one(with([](Scene& s) { s.contact.stiffness = std::nan(""); }), "contact.stiffness", "nan");
+  check_one(with([](Scene& s) { s.contact.tangential_stiffness = -1; }), "contact.tangential_stiffness", "> 0");
+  check_one(with([](Scene& s) { s.contact.substeps = 4; }), "contact.substeps", "\"penalty\" does not have");
+  check_one(with([](Scene& s) { s.contact.iterations = 4; }), "contact.iterations", "\"penalty\" does not have");
+  check_one(with([](Scene& s) { s.contact.restitution_threshold = 1; }), "contact.restitution_threshold",
+            "does not have");
+  check_one(with([](Scene& s) { s.run.integrator = "taylor2"; }), "run.integrator", "penalty contacts do not give");
+  check_one(with([](Scene& s) { s.materials["steel"].restitution = 0.001, s.bodies[0].material = "steel"; }),
+            "contact.kind", "restitution 0.001 of steel on steel is less than 0.0025");
+  CHECK(ballpark::check(with([](Scene& s) {
+          s.materials["steel"].restitution = 0, s.bodies[0].material = "steel", s.contact.pull = true;
+        })).empty());
+  Scene hard = touching();
+  hard.contact.stiffness = 1e4;
+  check_one(hard, "contact.stiffness", "\"impulse\" does not have");
+  hard = touching();
+  hard.contact.pull = true;
+  check_one(hard, "contact.pull", "does not have");
+  Scene fused = with([](Scene&) {});
+  const std::vector<Problem> problems = problems_of(fused, {.path = ballpark::Path::fused});
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].message == "penalty contacts take the staged path, expected automatic or staged");
 }

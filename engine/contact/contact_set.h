@@ -51,8 +51,8 @@ class ContactSet {
   std::vector<Real> swept;  ///< farthest that each body may go in the step without being deflected [m]
   std::size_t candidates = 0;
 
-  /// Finds them for a step of length `step`, from bodies at its start. `margin`: how near, in radii, surfaces pass each
-  /// other to be a contact.
+  /// Finds them for a step of length `step`, from bodies at its start. `margin`: how near, over their radii, surfaces
+  /// pass each other to be a contact.
   void find(const ContactBodies& bodies, const std::vector<Wall>& walls, const std::vector<WallMoment>& moments,
             const Period& period, const LawTable& laws, Real step, Real margin, Workers& workers);
 

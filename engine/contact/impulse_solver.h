@@ -14,7 +14,7 @@ struct ImpulseSettings {
   int substeps = 1;  ///< of a step, for which contacts are found once
   int iterations = 12;
   int relax_iterations = 3;
-  Real margin = Real(0.2);         ///< a contact: surfaces that pass at less than this many radii
+  Real margin = Real(0.2);         ///< a contact: surfaces that pass at less than this share of their radii
   Real push_out = Real(0.2);       ///< share of an overlap that one substep takes away
   Real restitution_threshold = 0;  ///< [m/s]
 };

@@ -14,7 +14,7 @@ namespace ballpark::BALLPARK_PRECISION {
 struct PenaltySettings {
   Real stiffness = 0;        ///< along the normal [N/m]
   Real slide_stiffness = 0;  ///< of the tangential spring [N/m]
-  Real margin = Real(0.2);   ///< skin of the neighbour list [radii]
+  Real margin = Real(0.2);   ///< skin of the neighbour list, over the radii
   bool may_pull = false;     ///< dashpots: may they hold parting surfaces together?
 };
 

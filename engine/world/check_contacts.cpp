@@ -146,7 +146,7 @@ struct ContactCheck {
     problems.not_negative("contact.restitution_threshold", contact.restitution_threshold, "m/s");
     if (!(contact.margin >= 0.01 && contact.margin <= 10)) {
       problems.add("contact.margin",
-                   fmt::format("is {}, expected a number of radii from 0.01 to 10", text(contact.margin)));
+                   fmt::format("is {}, expected a share of the radii from 0.01 to 10", text(contact.margin)));
     }
   }
 

@@ -82,7 +82,7 @@ struct GroupReport {
 struct ContactReport {
   std::string kind;
   int substeps = 0, iterations = 0, relax_iterations = 0;
-  double margin = 0;                            ///< [radii]
+  double margin = 0;                            ///< over the radii
   std::size_t bodies = 0;                       ///< that may touch
   std::size_t walls = 0;                        ///< faces of boundaries
   bool friction = false;                        ///< some pair of materials has it

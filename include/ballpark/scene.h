@@ -119,11 +119,11 @@ struct Boundary {
 
 /// How bodies with a shape touch.
 struct ContactSettings {
-  std::string kind = {};             ///< "": they do not; else a name of `contacts()`
-  int substeps = 1;                  ///< of a step, each with its own contact solve
-  int iterations = 12;               ///< Gauss-Seidel sweeps over all contacts that keep surfaces apart
-  int relax_iterations = 3;          ///< and that settle velocities
-  double margin = 0.2;               ///< contacts: surfaces that will pass each other at less than this many radii
+  std::string kind = {};     ///< "": they do not; else a name of `contacts()`
+  int substeps = 1;          ///< of a step, each with its own contact solve
+  int iterations = 12;       ///< Gauss-Seidel sweeps over all contacts that keep surfaces apart
+  int relax_iterations = 3;  ///< and that settle velocities
+  double margin = 0.2;  ///< contacts: surfaces that will pass each other at less than this share of both radii together
   double restitution_threshold = 0;  ///< slower approaches end at restitution 0 [m/s]
   // Of `penalty`, which takes no other of these than the margin, the skin of its list of neighbours:
   double stiffness = 0;                   ///< of the spring along the normal [N/m], > 0

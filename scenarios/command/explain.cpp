@@ -91,11 +91,11 @@ void add_contacts(Page& text, const ContactReport& contact) {
                                                                number(contact.sliding_stiffness))
                                                  : none},
                    {"largest step", largest_step(contact)},
-                   {"skin", number(contact.margin) + " radii"}}
+                   {"skin", number(contact.margin) + " of the radii"}}
           : Fields{{"a step", fmt::format("{}, each with {} iterations and {} to relax",
                                           counted(static_cast<std::uint64_t>(contact.substeps), "substep", "substeps"),
                                           contact.iterations, contact.relax_iterations)},
-                   {"margin", number(contact.margin) + " radii"},
+                   {"margin", number(contact.margin) + " of the radii"},
                    {"friction", contact.friction ? "a cone, with spin" : none}};
   fields.insert(fields.end(), rest.begin(), rest.end());
   text.fields(std::move(fields));

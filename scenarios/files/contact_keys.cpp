@@ -85,8 +85,8 @@ Rows contact_rows() {
       Row("relax_iterations", whole, "", into_int(&ContactSettings::relax_iterations), "Sweeps that settle velocities.")
           .otherwise("3"),
       Row("margin", number, "1", into(&ContactSettings::margin),
-          "impulse: contacts are surfaces that will pass each other at less than this many radii. penalty: skin of the "
-          "list of neighbours.")
+          "impulse: contacts are surfaces that will pass each other at less than this share of both radii together. "
+          "penalty: likewise for the skin of the list of neighbours.")
           .in({.minimum = 0.01, .maximum = 10})
           .otherwise("0.2"),
       Row("restitution_threshold", number, "m/s", into(&ContactSettings::restitution_threshold),

@@ -24,7 +24,7 @@ void check_scenarios(Precision precision, bool compensated) {
     scene.run.compensated = compensated;
     for (const std::string& integrator : integrators_for(scene)) {
       scene.run.integrator = integrator;
-      check_all_ways(scene, precision, some_steps(scene));
+      check_all_ways(scene, precision, steps_of_many_runs(scene));
     }
   }
 }

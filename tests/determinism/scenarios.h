@@ -58,6 +58,15 @@ inline std::uint64_t some_steps(const Scene& scene) {
              : 120;
 }
 
+/// Of runs that are made in a hundred ways: sanitizers take many times as long.
+inline std::uint64_t steps_of_many_runs(const Scene& scene) {
+#ifdef BALLPARK_SANITIZE
+  return std::min<std::uint64_t>(some_steps(scene), 25);
+#else
+  return some_steps(scene);
+#endif
+}
+
 inline std::uint64_t hash_after(const Scene& scene, const Options& options, std::uint64_t steps) {
   ballpark::World world(scene, options);
   world.step(steps);

@@ -48,32 +48,14 @@ Real distance_from_segment(const Vector3<Real>& point, const Vector3<Real>& segm
 
 }  // namespace
 
-void ContactBodies::resize(std::size_t n, bool solved) {
-  count = n;
-  for (auto* values : {&radius, &inverse_mass, &mobility}) values->resize(n);
-  material.resize(n);
-  for (auto* column : {&position, &velocity, &surface}) column->resize(n);
-  if (!solved) return;
-  for (auto* column : {&end_position, &end_velocity, &end_surface}) column->resize(n);
-}
-
-std::size_t ContactBodies::bytes() const {
-  std::size_t sum =
-      capacity_bytes(radius) + capacity_bytes(inverse_mass) + capacity_bytes(mobility) + capacity_bytes(material);
-  for (const auto* column : {&position, &velocity, &surface, &end_position, &end_velocity, &end_surface, &turned}) {
-    sum += column->bytes();
-  }
-  return sum;
-}
-
 void ContactSet::find(const ContactBodies& bodies, const std::vector<Wall>& shapes,
                       const std::vector<WallMoment>& moments, const Period& period, const LawTable& laws, Real step,
-                      Real margin, Workers& workers) {
-  remember(workers);
+                      Real margin, Workers& workers, std::vector<std::uint32_t>* nearby) {
+  remember(bodies, workers);
   find_reaches(bodies, step, margin);
   lists_ = candidates = 0;
   other_.clear();
-  first_of_slot.assign(bodies.count + 1, 0);
+  first_of_rank.assign(bodies.count + 1, 0);
   for (std::size_t first = 0; first < bodies.count; first += bodies.per_copy) {
     const Balls balls{
         {bodies.position.x.data() + first, bodies.position.y.data() + first, bodies.position.z.data() + first},
@@ -82,48 +64,50 @@ void ContactSet::find(const ContactBodies& bodies, const std::vector<Wall>& shap
         0};
     grid_.find(balls, period, workers);
     sift(bodies, first, period, step, margin, workers);
-    order(first, first + bodies.per_copy, workers);
+    order(bodies, first, workers);
+    if (nearby) nearby->insert(nearby->end(), grid_.order().begin(), grid_.order().end());
   }
-  first_of_slot[bodies.count] = static_cast<std::uint32_t>(other_.size());
+  first_of_rank[bodies.count] = static_cast<std::uint32_t>(other_.size());
   for (std::size_t list = lists_; list < watched_.size(); ++list) watched_[list].clear();
-  colour(bodies.count);
+  colour(bodies);
   fill(bodies, laws, workers);
   find_walls(bodies, shapes, moments, laws, step, margin, workers);
 }
 
-/// Keeps the impulses of those contacts of the last step that bore any, by the slots they were between.
-void ContactSet::remember(Workers& workers) {
+/// Keeps the impulses of those contacts of the last step that bore any, by the ranks they were between.
+void ContactSet::remember(const ContactBodies& bodies, Workers& workers) {
   const auto pair_at = [this](std::uint32_t i) -> const Contact& { return pairs[place[i]]; };
   const auto wall_at = [this](std::uint32_t i) -> const Contact& { return walls[i]; };
-  keep_impulses(
-      first_of_slot, pair_at, [](const Contact& c) { return c.b; }, carried_, workers);
-  keep_impulses(
-      first_wall_of_slot, wall_at, [](const Contact& c) { return c.a; }, carried_walls_, workers);
+  const auto pair_other = [this](std::uint32_t i) { return other_[i]; };
+  const auto wall_other = [this](std::uint32_t i) { return walls[i].a; };
+  keep_impulses(bodies, first_of_rank, pair_at, pair_other, carried_, workers);
+  keep_impulses(bodies, first_wall_of_rank, wall_at, wall_other, carried_walls_, workers);
 }
 
-/// Of the contacts at(i), i in [first[slot], first[slot + 1]): counted by slot, then written where they belong.
+/// Of the contacts at(i), i in [first[rank], first[rank + 1]): counted by rank, then written where they belong.
 template <class At, class Other>
-void ContactSet::keep_impulses(const std::vector<std::uint32_t>& first, At at, Other other, Carried& kept,
-                               Workers& workers) {
-  const std::size_t slots = first.empty() ? 0 : first.size() - 1;
-  kept.first.assign(slots + 1, 0);
-  for_blocks(slots, workers, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      for (std::uint32_t i = first[slot]; i < first[slot + 1]; ++i) kept.first[slot + 1] += at(i).bears();
-    }
+void ContactSet::keep_impulses(const ContactBodies& bodies, const std::vector<std::uint32_t>& first, At at, Other other,
+                               Carried& kept, Workers& workers) {
+  const std::size_t ranks = first.empty() ? 0 : first.size() - 1;
+  kept.first.assign(ranks + 1, 0);
+  const auto for_ranks = [&](auto act) {  // those of near bodies lie near each other
+    for_blocks(ranks, workers, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t slot = begin; slot < end; ++slot) act(bodies.rank_of(slot));
+    });
+  };
+  for_ranks([&](std::uint32_t rank) {
+    for (std::uint32_t i = first[rank]; i < first[rank + 1]; ++i) kept.first[rank + 1] += at(i).bears();
   });
-  for (std::size_t slot = 0; slot < slots; ++slot) kept.first[slot + 1] += kept.first[slot];
-  resize(kept.other, kept.first[slots]);
-  resize(kept.impulses, kept.first[slots]);
-  for_blocks(slots, workers, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      std::uint32_t to = kept.first[slot];
-      for (std::uint32_t i = first[slot]; i < first[slot + 1]; ++i) {
-        const Contact& contact = at(i);
-        if (!contact.bears()) continue;
-        kept.other[to] = other(contact);
-        kept.impulses[to++] = {contact.solved, contact.relaxed};
-      }
+  for (std::size_t rank = 0; rank < ranks; ++rank) kept.first[rank + 1] += kept.first[rank];
+  resize(kept.other, kept.first[ranks]);
+  resize(kept.impulses, kept.first[ranks]);
+  for_ranks([&](std::uint32_t rank) {
+    std::uint32_t to = kept.first[rank];
+    for (std::uint32_t i = first[rank]; i < first[rank + 1]; ++i) {
+      const Contact& contact = at(i);
+      if (!contact.bears()) continue;
+      kept.other[to] = other(i);
+      kept.impulses[to++] = {contact.solved, contact.relaxed};
     }
   });
 }
@@ -189,7 +173,8 @@ void ContactSet::sift(const ContactBodies& bodies, std::size_t first, const Peri
 /// False: too far apart, or to be watched only.
 bool ContactSet::is_contact(const ContactBodies& bodies, const Period& period, Real step, Real margin, Pair pair,
                             std::vector<WatchedPair>& watched) const {
-  const auto [a, b] = std::minmax(pair.a, pair.b);
+  const bool forward = bodies.rank_of(pair.a) < bodies.rank_of(pair.b);
+  const std::uint32_t a = forward ? pair.a : pair.b, b = forward ? pair.b : pair.a;
   const Vector3<Real> apart = nearest_image(bodies.position.at(b) - bodies.position.at(a), period);
   const Vector3<Real> way_a = step * bodies.velocity.at(a), way_b = step * bodies.velocity.at(b);
   const Real reach = (bodies.radius[a] + bodies.radius[b]) * (1 + margin), farthest = reach + swept[a] + swept[b];
@@ -201,41 +186,46 @@ bool ContactSet::is_contact(const ContactBodies& bodies, const Period& period, R
   return false;
 }
 
-/// Sorts the contacts of one copy by their slots: counted by the first, then each short list by the second.
-void ContactSet::order(std::size_t begin, std::size_t end, Workers& workers) {
+/// Sorts the contacts of the copy with the slots from `begin` on by their ranks: counted by the first, then each short
+/// list by the second.
+void ContactSet::order(const ContactBodies& bodies, std::size_t begin, Workers& workers) {
+  const std::size_t end = begin + bodies.per_copy;
   const auto each = [&](auto act) {
+    const auto ranked = [&](const Pair& pair) {
+      const std::uint32_t a = bodies.rank_of(begin + pair.a), b = bodies.rank_of(begin + pair.b);
+      act(std::min(a, b), std::max(a, b));
+    };
     for (std::size_t block = 0; block < grid_.block_count(); ++block) {
-      for (const Pair& pair : grid_.pairs(block))
-        act(begin + std::min(pair.a, pair.b), begin + std::max(pair.a, pair.b));
+      for (const Pair& pair : grid_.pairs(block)) ranked(pair);
     }
     for (std::size_t f = 0; f < fast_.size(); ++f) {
-      for (const Pair& pair : fast_near_[f]) act(begin + std::min(pair.a, pair.b), begin + std::max(pair.a, pair.b));
+      for (const Pair& pair : fast_near_[f]) ranked(pair);
     }
   };
-  each([&](std::size_t a, std::size_t) { ++first_of_slot[a]; });
+  each([&](std::uint32_t a, std::uint32_t) { ++first_of_rank[a]; });
   auto before = static_cast<std::uint32_t>(other_.size());
-  for (std::size_t slot = begin; slot < end; ++slot) {
-    before += first_of_slot[slot];
-    first_of_slot[slot] = before;  // the end of its list: filling counts down to the beginning
+  for (std::size_t rank = begin; rank < end; ++rank) {
+    before += first_of_rank[rank];
+    first_of_rank[rank] = before;  // the end of its list: filling counts down to the beginning
   }
   resize(other_, before);
-  first_of_slot[end] = before;
-  each([&](std::size_t a, std::size_t b) { other_[--first_of_slot[a]] = static_cast<std::uint32_t>(b); });
+  first_of_rank[end] = before;
+  each([&](std::uint32_t a, std::uint32_t b) { other_[--first_of_rank[a]] = b; });
   for_blocks(end - begin, workers, [&](std::size_t first, std::size_t last) {
     for (std::size_t a = begin + first; a < begin + last; ++a) {
-      std::sort(other_.begin() + first_of_slot[a], other_.begin() + first_of_slot[a + 1]);
+      std::sort(other_.begin() + first_of_rank[a], other_.begin() + first_of_rank[a + 1]);
     }
   });
-  first_of_slot[end] = 0;  // to be counted in the next copy
+  first_of_rank[end] = 0;  // to be counted in the next copy
 }
 
-/// Greedy, in the order of slots: the first colour that neither body has.
-void ContactSet::colour(std::size_t slots) {
-  used_.assign(slots, 0);
+/// Greedy, in the order of ranks: the first colour that neither body has.
+void ContactSet::colour(const ContactBodies& bodies) {
+  used_.assign(bodies.count, 0);
   resize(colour_, other_.size());
   std::array<std::size_t, most_colours + 2> count{};
-  for (std::size_t a = 0; a < slots; ++a) {
-    for (std::uint32_t i = first_of_slot[a]; i < first_of_slot[a + 1]; ++i) {
+  for (std::size_t a = 0; a < bodies.count; ++a) {
+    for (std::uint32_t i = first_of_rank[a]; i < first_of_rank[a + 1]; ++i) {
       const std::uint32_t b = other_[i];
       const int c = std::min(std::countr_one(used_[a] | used_[b]), most_colours);
       if (c < most_colours) {
@@ -251,8 +241,23 @@ void ContactSet::colour(std::size_t slots) {
   while (colours > 0 && count[static_cast<std::size_t>(colours)] == 0) --colours;
   for (std::size_t c = 1; c < count.size(); ++c) count[c] += count[c - 1];
   colour_begin.assign(count.begin(), count.begin() + colours + 1);
+  lay_out(bodies, count);
+}
+
+/// Contacts of one colour lie in the order of slots: what is near is near in memory. Only the last colour, whose order
+/// matters, lies in that of ranks. `next`: where the next contact of each colour goes.
+template <std::size_t n>
+void ContactSet::lay_out(const ContactBodies& bodies, std::array<std::size_t, n>& next) {
   resize(place, other_.size());
-  for (std::size_t i = 0; i < other_.size(); ++i) place[i] = static_cast<std::uint32_t>(count[colour_[i]]++);
+  for (std::size_t slot = 0; slot < bodies.count; ++slot) {
+    const std::uint32_t rank = bodies.rank_of(slot);
+    for (std::uint32_t i = first_of_rank[rank]; i < first_of_rank[rank + 1]; ++i) {
+      if (colour_[i] < most_colours) place[i] = static_cast<std::uint32_t>(next[colour_[i]]++);
+    }
+  }
+  for (std::size_t i = 0; last_colour_shares && i < other_.size(); ++i) {
+    if (colour_[i] == most_colours) place[i] = static_cast<std::uint32_t>(next[most_colours]++);
+  }
 }
 
 /// Contacts with what is constant over the step, and the impulses that the same pair had in the last one.
@@ -260,21 +265,22 @@ void ContactSet::fill(const ContactBodies& bodies, const LawTable& laws, Workers
   resize(pairs, other_.size());
   const std::size_t blocks = (bodies.count + block_length - 1) / block_length;
   workers.for_each(blocks, [&](std::size_t block) {
-    for (std::size_t a = block * block_length; a < std::min((block + 1) * block_length, bodies.count); ++a) {
+    for (std::size_t slot = block * block_length; slot < std::min((block + 1) * block_length, bodies.count); ++slot) {
+      const std::uint32_t a = bodies.rank_of(slot);
       const bool known = a + 1 < carried_.first.size();
       std::uint32_t old = known ? carried_.first[a] : 0;
       const std::uint32_t old_end = known ? carried_.first[a + 1] : 0;
-      for (std::uint32_t i = first_of_slot[a]; i < first_of_slot[a + 1]; ++i) {
-        const std::uint32_t b = other_[i];
+      for (std::uint32_t i = first_of_rank[a]; i < first_of_rank[a + 1]; ++i) {
         Contact& contact = pairs[place[i]];
-        contact.a = static_cast<std::uint32_t>(a);
-        contact.b = b;
-        contact.friction = laws.of(bodies.material[a], bodies.material[b]).friction;
-        const Real inverse = bodies.inverse_mass[a] + bodies.inverse_mass[b];
+        const std::uint32_t other = bodies.slot_of(other_[i]);
+        contact.a = static_cast<std::uint32_t>(slot);
+        contact.b = other;
+        contact.friction = laws.of(bodies.material[slot], bodies.material[other]).friction;
+        const Real inverse = bodies.inverse_mass[slot] + bodies.inverse_mass[other];
         contact.normal_mass = 1 / inverse;
-        contact.tangent_mass = 1 / (inverse + bodies.mobility[a] + bodies.mobility[b]);
-        while (old < old_end && carried_.other[old] < b) ++old;
-        const bool met = old < old_end && carried_.other[old] == b;
+        contact.tangent_mass = 1 / (inverse + bodies.mobility[slot] + bodies.mobility[other]);
+        while (old < old_end && carried_.other[old] < other_[i]) ++old;
+        const bool met = old < old_end && carried_.other[old] == other_[i];
         contact.solved = met ? carried_.impulses[old].solved : ContactImpulse{};
         contact.relaxed = met ? carried_.impulses[old].relaxed : ContactImpulse{};
       }
@@ -290,7 +296,7 @@ void ContactSet::find_walls(const ContactBodies& bodies, const std::vector<Wall>
   near_walls_.resize(blocks);
   wall_ways_.clear();
   for (const Wall& wall : shapes) wall_ways_.push_back(step * static_cast<Real>(wall.motion.top_speed()));
-  first_wall_of_slot.assign(bodies.count + 1, 0);
+  first_wall_of_rank.assign(bodies.count + 1, 0);
   workers.for_each(blocks, [&](std::size_t block) {
     near_walls_[block].clear();
     for (std::size_t slot = block * block_length; slot < std::min((block + 1) * block_length, bodies.count); ++slot) {
@@ -299,15 +305,20 @@ void ContactSet::find_walls(const ContactBodies& bodies, const std::vector<Wall>
         const Real reach = margin * radius + swept[slot] + wall_ways_[w];
         if (!(shapes[w].distance(bodies.position.at(slot) - moments[w].offset, radius) <= reach)) continue;
         append(near_walls_[block], {static_cast<std::uint32_t>(w), static_cast<std::uint32_t>(slot)});
-        ++first_wall_of_slot[slot + 1];
+        ++first_wall_of_rank[bodies.rank_of(slot) + 1];
       }
     }
   });
-  for (std::size_t slot = 0; slot < bodies.count; ++slot) first_wall_of_slot[slot + 1] += first_wall_of_slot[slot];
-  resize(walls, first_wall_of_slot[bodies.count]);
+  for (std::size_t rank = 0; rank < bodies.count; ++rank) first_wall_of_rank[rank + 1] += first_wall_of_rank[rank];
+  resize(walls, first_wall_of_rank[bodies.count]);
   workers.for_each(blocks, [&](std::size_t block) {
-    std::size_t at = first_wall_of_slot[block * block_length];
-    for (const Pair& near : near_walls_[block]) walls[at++] = wall_contact(bodies, shapes, laws, near.a, near.b);
+    std::size_t at = 0;
+    std::uint32_t last = ~std::uint32_t(0);
+    for (const Pair& near : near_walls_[block]) {
+      if (near.b != last) at = first_wall_of_rank[bodies.rank_of(near.b)];
+      last = near.b;
+      walls[at++] = wall_contact(bodies, shapes, laws, near.a, near.b);
+    }
   });
 }
 
@@ -319,8 +330,9 @@ Contact ContactSet::wall_contact(const ContactBodies& bodies, const std::vector<
   contact.friction = laws.of(shapes[wall].material, bodies.material[slot]).friction;
   contact.normal_mass = 1 / bodies.inverse_mass[slot];
   contact.tangent_mass = 1 / (bodies.inverse_mass[slot] + bodies.mobility[slot]);
-  if (slot + 1 >= carried_walls_.first.size()) return contact;
-  for (std::uint32_t old = carried_walls_.first[slot]; old < carried_walls_.first[slot + 1]; ++old) {
+  const std::uint32_t rank = bodies.rank_of(slot);
+  if (rank + 1 >= carried_walls_.first.size()) return contact;
+  for (std::uint32_t old = carried_walls_.first[rank]; old < carried_walls_.first[rank + 1]; ++old) {
     if (carried_walls_.other[old] != wall) continue;
     contact.solved = carried_walls_.impulses[old].solved;
     contact.relaxed = carried_walls_.impulses[old].relaxed;
@@ -334,7 +346,7 @@ std::size_t ContactSet::Carried::bytes() const {
 
 std::size_t ContactSet::bytes() const {
   std::size_t sum = grid_.bytes() + capacity_bytes(pairs) + capacity_bytes(walls) + capacity_bytes(place) +
-                    capacity_bytes(first_of_slot) + capacity_bytes(first_wall_of_slot) + capacity_bytes(swept) +
+                    capacity_bytes(first_of_rank) + capacity_bytes(first_wall_of_rank) + capacity_bytes(swept) +
                     capacity_bytes(grid_radius_) + capacity_bytes(fast_) + capacity_bytes(is_fast_) +
                     capacity_bytes(other_) + capacity_bytes(colour_) + capacity_bytes(used_) + carried_.bytes() +
                     carried_walls_.bytes();

@@ -2,6 +2,7 @@
 // coloured so that contacts of one colour share no body.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -38,25 +39,27 @@ using WatchedPair = Pair;
 
 class ContactSet {
  public:
-  /// Contacts lie in the order of their colours, those of one colour in the order of their slots; the last colour may
-  /// share bodies and is solved in that order. Contacts with walls are in the order of their slots.
+  /// Contacts lie in the order of their colours; the last colour may share bodies and is solved in the order of their
+  /// ranks. Contacts with walls are in the order of ranks.
   std::vector<Contact> pairs, walls;
   std::vector<std::size_t> colour_begin;  ///< first contact of each colour, and the end
   bool last_colour_shares = false;
-  static constexpr std::uint8_t was_loaded = 1, reflected = 2, touches = 4, approaches = 8;
+  static constexpr std::uint8_t was_loaded = 1, reflected = 2, touches = 4, approaches = 8, queued = 16;
   std::vector<std::uint8_t> pair_marks, wall_marks;  ///< of each contact in this substep
-  std::vector<std::uint32_t> place;                  ///< of each pair in the order of slots: where it lies in `pairs`
-  std::vector<std::uint32_t> first_of_slot;  ///< in the order of slots: first pair whose a is the slot, and the end
-  std::vector<std::uint32_t> first_wall_of_slot;  ///< in `walls`
+  std::vector<std::uint32_t> place;                  ///< of each pair in the order of ranks: where it lies in `pairs`
+  std::vector<std::uint32_t> first_of_rank;  ///< in the order of ranks: first pair whose a has the rank, and the end
+  std::vector<std::uint32_t> first_wall_of_rank;  ///< in `walls`
   std::vector<Real> swept;  ///< farthest that each body may go in the step without being deflected [m]
   std::size_t candidates = 0;
 
   /// Finds them for a step of length `step`, from bodies at its start. `margin`: how near, over their radii, surfaces
-  /// pass each other to be a contact.
+  /// pass each other to be a contact. `nearby`: gets an order of slots in
+  /// which near bodies are near, copy after copy, each counted from its first.
   void find(const ContactBodies& bodies, const std::vector<Wall>& walls, const std::vector<WallMoment>& moments,
-            const Period& period, const LawTable& laws, Real step, Real margin, Workers& workers);
+            const Period& period, const LawTable& laws, Real step, Real margin, Workers& workers,
+            std::vector<std::uint32_t>* nearby = nullptr);
 
-  /// Impulses of the last step, to go on from: as plain values, in the order of slots.
+  /// Impulses of the last step, to go on from: as plain values, by rank.
   struct Saved {
     std::uint32_t a, b;
     ContactImpulse solved, relaxed;
@@ -85,12 +88,14 @@ class ContactSet {
             Workers& workers);
   bool is_contact(const ContactBodies& bodies, const Period& period, Real step, Real margin, Pair pair,
                   std::vector<WatchedPair>& watched) const;
-  void remember(Workers& workers);
+  void remember(const ContactBodies& bodies, Workers& workers);
   template <class At, class Other>
-  static void keep_impulses(const std::vector<std::uint32_t>& first, At at, Other other, Carried& kept,
-                            Workers& workers);
-  void order(std::size_t begin, std::size_t end, Workers& workers);
-  void colour(std::size_t slots);
+  static void keep_impulses(const ContactBodies& bodies, const std::vector<std::uint32_t>& first, At at, Other other,
+                            Carried& kept, Workers& workers);
+  void order(const ContactBodies& bodies, std::size_t begin, Workers& workers);
+  void colour(const ContactBodies& bodies);
+  template <std::size_t n>
+  void lay_out(const ContactBodies& bodies, std::array<std::size_t, n>& next);
   void fill(const ContactBodies& bodies, const LawTable& laws, Workers& workers);
   void find_walls(const ContactBodies& bodies, const std::vector<Wall>& shapes, const std::vector<WallMoment>& moments,
                   const LawTable& laws, Real step, Real margin, Workers& workers);

@@ -26,10 +26,6 @@ void append(std::vector<T>& list, const T& item) {
   list.push_back(item);
 }
 
-std::size_t contact_index(const std::vector<Contact>& list, const Contact& contact) {
-  return static_cast<std::size_t>(&contact - list.data());
-}
-
 }  // namespace
 
 Real Substep::place(Contact& contact, bool wall, const Vector3<Real>& kick_a, const Vector3<Real>& kick_b) const {
@@ -94,8 +90,8 @@ void Impacts::resolve(const Substep& substep, ContactSet& set, const std::vector
   }
 }
 
-/// Of the contacts in `next_` those that meet and approach, in the same order. All are held against the bodies as the
-/// last round left them.
+/// Of the contacts in `next_` those that meet and approach, in the order of ranks. All are held against the bodies as
+/// the last round left them, so that their own order does not matter.
 void Impacts::find_meetings(const Substep& substep, ContactSet& set, Workers& workers) {
   const std::size_t per_block = std::max(contacts_per_task, (next_.size() + most_blocks - 1) / most_blocks);
   const std::size_t blocks = (next_.size() + per_block - 1) / per_block;
@@ -111,11 +107,14 @@ void Impacts::find_meetings(const Substep& substep, ContactSet& set, Workers& wo
     }
   };
   workers.for_each(blocks, find, blocks < 2 ? 1 : workers.threads());
-  meetings_.clear();
+  hits_.clear();
   for (std::size_t block = 0; block < blocks; ++block) {
     unfinished += found_[block].unfinished;
-    for (const Hit& hit : found_[block].hits) append(meetings_, meeting_of(substep, set, hit));
+    for (const Hit& hit : found_[block].hits) append(hits_, hit);
   }
+  std::sort(hits_.begin(), hits_.end(), [](const Hit& x, const Hit& y) { return x.index < y.index; });
+  meetings_.clear();
+  for (const Hit& hit : hits_) append(meetings_, meeting_of(substep, set, hit));
 }
 
 Vector3<Real> Impacts::start_over(const Substep& substep, const Contact& contact, bool wall) {
@@ -154,6 +153,7 @@ bool Impacts::approaches(const Substep& substep, ContactSet& set, Index index, H
                          std::uint64_t& given_up) const {
   const bool wall = is_wall(index);
   Contact& contact = wall ? set.walls[index - pair_count_] : set.pairs[set.place[index]];
+  mark_of(set, index) &= static_cast<std::uint8_t>(~ContactSet::queued);
   const std::uint32_t a = contact.a, b = contact.b;
   const auto scale_of = [&](std::uint32_t slot) { return is_touched_[slot] ? Real(scale_[slot]) : Real(0); };
   const Vector3<Real> kick_a = wall ? Vector3<Real>{} : kick_of(a), kick_b = kick_of(b);
@@ -262,8 +262,7 @@ void Impacts::spend(ContactSet& set, std::size_t first, std::size_t last) {
     const Meeting& meeting = meetings_[sorted_[i]];
     const Contact& contact = *meeting.contact;
     const bool wall = is_wall(meeting.index);
-    (wall ? set.wall_marks[contact_index(set.walls, contact)] : set.pair_marks[contact_index(set.pairs, contact)]) |=
-        ContactSet::reflected;
+    mark_of(set, meeting.index) |= ContactSet::reflected;
     if (!wall) spent_[contact.a] += cost;
     spent_[contact.b] += cost;
   }
@@ -298,41 +297,50 @@ Real Impacts::update(Meeting& m) {
   return error;
 }
 
-/// All contacts of the bodies that just changed, sorted and each once.
-void Impacts::gather_next(const ContactSet& set) {
+std::uint8_t& Impacts::mark_of(ContactSet& set, Index index) const {
+  return is_wall(index) ? set.wall_marks[index - pair_count_] : set.pair_marks[set.place[index]];
+}
+
+/// All contacts of the bodies that just changed, each once.
+void Impacts::gather_next(ContactSet& set) {
   if (!neighbours_known_) find_neighbours(set);
   std::sort(changed_.begin(), changed_.end());
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-  next_ = later_;
-  const auto add = [&](std::uint32_t begin, std::uint32_t end, std::size_t offset) {
-    for (std::uint32_t i = begin; i < end; ++i) next_.push_back(static_cast<Index>(i + offset));
+  next_.clear();
+  const auto add = [&](Index index) {
+    std::uint8_t& mark = mark_of(set, index);
+    if (mark & ContactSet::queued) return;
+    mark |= ContactSet::queued;
+    next_.push_back(index);
   };
+  for (const Index index : later_) add(index);
   for (const std::uint32_t slot : changed_) {
-    add(set.first_of_slot[slot], set.first_of_slot[slot + 1], 0);
-    add(set.first_wall_of_slot[slot], set.first_wall_of_slot[slot + 1], pair_count_);
-    for (std::uint32_t i = before_begin_[slot]; i < before_begin_[slot + 1]; ++i) next_.push_back(before_[i]);
+    const std::uint32_t rank = bodies_->rank_of(slot);
+    for (Index i = set.first_of_rank[rank]; i < set.first_of_rank[rank + 1]; ++i) add(i);
+    for (Index i = set.first_wall_of_rank[rank]; i < set.first_wall_of_rank[rank + 1]; ++i) {
+      add(static_cast<Index>(i + pair_count_));
+    }
+    for (std::uint32_t i = before_begin_[rank]; i < before_begin_[rank + 1]; ++i) add(before_[i]);
   }
-  std::sort(next_.begin(), next_.end());
-  next_.erase(std::unique(next_.begin(), next_.end()), next_.end());
 }
 
-/// For each slot the pairs in which it comes second.
+/// For each rank the pairs in which it comes second.
 void Impacts::find_neighbours(const ContactSet& set) {
   const std::size_t slots = is_touched_.size();
   before_begin_.assign(slots + 1, 0);
   before_.resize(pair_count_);
-  for (const Contact& contact : set.pairs) ++before_begin_[contact.b];
+  for (const Contact& contact : set.pairs) ++before_begin_[bodies_->rank_of(contact.b)];
   std::uint32_t sum = 0;
   for (std::uint32_t& begin : before_begin_) begin = sum += begin;
   for (std::size_t i = pair_count_; i-- > 0;) {
-    before_[--before_begin_[set.pairs[set.place[i]].b]] = static_cast<std::uint32_t>(i);
+    before_[--before_begin_[bodies_->rank_of(set.pairs[set.place[i]].b)]] = static_cast<std::uint32_t>(i);
   }
   neighbours_known_ = true;
 }
 
 std::size_t Impacts::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  std::size_t found = of(found_);
+  std::size_t found = of(found_) + of(hits_);
   for (const Found& block : found_) found += of(block.hits);
   return found + of(touched_) + of(meetings_) + of(sorted_) + of(next_) + of(is_touched_) + of(scale_) + of(spent_) +
          of(earliest_) + of(later_) + of(changed_) + of(parent_) + of(set_of_root_) + of(set_begin_) +

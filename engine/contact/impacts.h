@@ -29,7 +29,7 @@ struct Substep {
 
 class Impacts {
  public:
-  /// Contact i < pairs.size() is pair i in the order of slots; those behind are contacts with walls.
+  /// Contact i < pairs.size() is pair i in the order of ranks; those behind are contacts with walls.
   using Index = std::uint32_t;
 
   /// For one substep. What impacts add to velocities and surface speeds goes into the movers of the bodies that they
@@ -37,7 +37,7 @@ class Impacts {
   void begin(const ContactBodies& bodies, std::vector<Mover>& movers);
   bool touches(std::size_t slot) const { return is_touched_[slot]; }
   Vector3<Real> kick_of(std::size_t slot) const { return touches(slot) ? (*movers_)[slot].velocity : Vector3<Real>{}; }
-  /// Reflects `first` (sorted), then what that sets in motion.
+  /// Reflects `first`, then what that sets in motion.
   void resolve(const Substep& substep, ContactSet& set, const std::vector<std::vector<Index>>& first, Workers& workers);
   void forget_neighbours() { neighbours_known_ = false; }
 
@@ -70,7 +70,8 @@ class Impacts {
   bool approaches(const Substep& substep, ContactSet& set, Index index, Hit& hit, std::uint64_t& given_up) const;
   Meeting meeting_of(const Substep& substep, const ContactSet& set, const Hit& hit);
   void find_neighbours(const ContactSet& set);
-  void gather_next(const ContactSet& set);
+  void gather_next(ContactSet& set);
+  std::uint8_t& mark_of(ContactSet& set, Index index) const;
   void keep_first();
   void split_into_sets();
   std::uint32_t root(std::uint32_t slot);
@@ -89,6 +90,7 @@ class Impacts {
   std::size_t pair_count_ = 0;
   std::vector<Meeting> meetings_;
   std::vector<Found> found_;
+  std::vector<Hit> hits_;
   std::vector<std::uint32_t> sorted_;  ///< meetings in the order of their sets
   std::vector<Index> next_, later_;
   std::vector<float> earliest_;  ///< moment at which each body of a round meets another
@@ -97,7 +99,7 @@ class Impacts {
   std::vector<std::uint32_t> spent_;  ///< by each touched body, see most_spent
   std::vector<std::uint32_t> changed_, parent_, set_of_root_, set_begin_;
   bool neighbours_known_ = false;
-  std::vector<std::uint32_t> before_begin_, before_;  ///< pairs in which a slot is b
+  std::vector<std::uint32_t> before_begin_, before_;  ///< pairs in which a rank is b
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -21,9 +21,20 @@ Vector3<Real> real(const Vector3<double>& a) {
 
 }  // namespace
 
+/// Bodies that were found near each other come near in memory. What is remembered between steps goes by rank.
+void ImpulseSolver::sort_bodies() {
+  if (nearby_.size() != bodies.count || bodies.count == 0) return;
+  for (std::size_t slot = 0; slot < bodies.count; ++slot) {
+    nearby_[slot] += static_cast<std::uint32_t>(slot / bodies.per_copy * bodies.per_copy);
+  }
+  bodies.sort(nearby_);
+  nearby_.clear();
+}
+
 void ImpulseSolver::find(double time, Real step, Workers& workers) {
   set_moments(time, step);
-  set_.find(bodies, walls, moments_, period, laws, step, settings.margin, workers);
+  const bool sorts = bodies.count >= settings.sort_from && found_++ % settings.sort_every == 0;
+  set_.find(bodies, walls, moments_, period, laws, step, settings.margin, workers, sorts ? &nearby_ : nullptr);
   impacts_.forget_neighbours();
   counters_.pairs += set_.candidates;
   counters_.peak_pairs = std::max<std::uint64_t>(counters_.peak_pairs, set_.candidates);
@@ -91,7 +102,7 @@ void ImpulseSolver::set_moments(double time, Real substep) {
 void ImpulseSolver::prepare(Real substep, Workers& workers) {
   const Substep now{bodies, walls, moments_, laws, period, substep, settings.push_out, settings.restitution_threshold};
   const std::size_t blocks = tasks(bodies.count, slots_per_task);
-  closing_.resize(2 * blocks);
+  closing_.resize(blocks);
   set_.pair_marks.resize(set_.pairs.size());
   set_.wall_marks.resize(set_.walls.size());
   block_maximum_.assign(blocks, 0);
@@ -116,14 +127,15 @@ void ImpulseSolver::prepare(Real substep, Workers& workers) {
   workers.for_each(blocks, [&](std::size_t block) {
     const std::size_t first = block * slots_per_task, last = std::min(first + slots_per_task, bodies.count);
     closing_[block].clear();
-    closing_[blocks + block].clear();
-    for (std::uint32_t i = set_.first_of_slot[first]; i < set_.first_of_slot[last]; ++i) {
-      const std::uint32_t at = set_.place[i];
-      if (ready(set_.pairs[at], false, set_.pair_marks[at], block)) closing_[block].push_back(i);
-    }
-    for (std::uint32_t i = set_.first_wall_of_slot[first]; i < set_.first_wall_of_slot[last]; ++i) {
-      if (ready(set_.walls[i], true, set_.wall_marks[i], block)) {
-        closing_[blocks + block].push_back(static_cast<std::uint32_t>(set_.pairs.size()) + i);
+    for (std::size_t slot = first; slot < last; ++slot) {
+      const std::uint32_t rank = bodies.rank_of(slot);
+      for (std::uint32_t i = set_.first_of_rank[rank]; i < set_.first_of_rank[rank + 1]; ++i) {
+        const std::uint32_t at = set_.place[i];
+        if (ready(set_.pairs[at], false, set_.pair_marks[at], block)) closing_[block].push_back(i);
+      }
+      for (std::uint32_t i = set_.first_wall_of_rank[rank]; i < set_.first_wall_of_rank[rank + 1]; ++i) {
+        if (!ready(set_.walls[i], true, set_.wall_marks[i], block)) continue;
+        closing_[block].push_back(static_cast<std::uint32_t>(set_.pairs.size()) + i);
       }
     }
   });
@@ -176,7 +188,7 @@ Real ImpulseSolver::sweep(Act act, Workers& workers) {
   const auto task = [&](std::size_t t) {
     const std::size_t begin = t * slots_per_task, end = std::min(begin + slots_per_task, bodies.count);
     Real most = 0;
-    for (std::uint32_t i = set_.first_wall_of_slot[begin]; i < set_.first_wall_of_slot[end]; ++i) {
+    for (std::uint32_t i = set_.first_wall_of_rank[begin]; i < set_.first_wall_of_rank[end]; ++i) {
       Contact& contact = set_.walls[i];
       most = std::max(most, act(contact, wall_sides_[contact.a], movers_[contact.b]));
     }
@@ -311,7 +323,7 @@ std::size_t ImpulseSolver::bytes() const {
                     (block_maximum_.capacity() + share_.capacity() + shorter_.capacity()) * sizeof(Real) +
                     deflected_.capacity() + next_deflected_.capacity();
   for (const auto& list : closing_) sum += list.capacity() * sizeof(list[0]);
-  return sum + start_.bytes() + planned_.bytes();
+  return sum + start_.bytes() + planned_.bytes() + nearby_.capacity() * sizeof(nearby_[0]);
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -11,7 +11,9 @@ namespace ballpark::BALLPARK_PRECISION {
 
 /// Numbers of a contact step that the scene chooses.
 struct ImpulseSettings {
-  int substeps = 1;  ///< of a step, for which contacts are found once
+  std::size_t sort_from = 16384;  ///< bodies from which on their order in memory matters
+  std::size_t sort_every = 32;    ///< steps
+  int substeps = 1;               ///< of a step, for which contacts are found once
   int iterations = 12;
   int relax_iterations = 3;
   Real margin = Real(0.2);         ///< a contact: surfaces that pass at less than this share of their radii
@@ -39,6 +41,8 @@ class ImpulseSolver : public ContactScene {
  public:
   ImpulseSettings settings;
 
+  /// Before a step, and before bodies are read: moves them to better slots, now and then.
+  void sort_bodies();
   /// Contacts of a step of length `step`, from bodies at its start.
   void find(double time, Real step, Workers& workers);
   // Turn the trial of a substep (end_... of the bodies) into what contacts allow, in this order:
@@ -94,6 +98,8 @@ class ImpulseSolver : public ContactScene {
   Real free_share(const WatchedPair& pair, Real substep) const;
 
   ContactSet set_;
+  std::vector<std::uint32_t> nearby_;  ///< order of slots that the next step shall have; empty: as it is
+  std::size_t found_ = 0;              ///< steps for which contacts were found
   Impacts impacts_;
   std::vector<WallMoment> moments_;
   std::vector<Mover> movers_;

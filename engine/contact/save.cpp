@@ -53,13 +53,21 @@ bool unpack(const std::vector<std::byte>& bytes, const ContactScene& scene, Real
 
 std::vector<ContactSet::Saved> ContactSet::saved_pairs() const {
   std::vector<Saved> list;
-  for (const std::uint32_t at : place) list.push_back({pairs[at].a, pairs[at].b, pairs[at].solved, pairs[at].relaxed});
+  for (std::uint32_t rank = 0; rank + 1 < first_of_rank.size(); ++rank) {
+    for (std::uint32_t i = first_of_rank[rank]; i < first_of_rank[rank + 1]; ++i) {
+      list.push_back({rank, other_[i], pairs[place[i]].solved, pairs[place[i]].relaxed});
+    }
+  }
   return list;
 }
 
 std::vector<ContactSet::Saved> ContactSet::saved_walls() const {
   std::vector<Saved> list;
-  for (const Contact& contact : walls) list.push_back({contact.a, contact.b, contact.solved, contact.relaxed});
+  for (std::uint32_t rank = 0; rank + 1 < first_wall_of_rank.size(); ++rank) {
+    for (std::uint32_t i = first_wall_of_rank[rank]; i < first_wall_of_rank[rank + 1]; ++i) {
+      list.push_back({walls[i].a, rank, walls[i].solved, walls[i].relaxed});
+    }
+  }
   return list;
 }
 
@@ -69,22 +77,22 @@ void ContactSet::restore(const std::vector<Saved>& saved_pairs, const std::vecto
   const auto take = [](const std::vector<Saved>& saved, std::vector<Contact>& list) {
     list.assign(saved.size(), {});
     for (std::size_t i = 0; i < saved.size(); ++i) {
-      list[i].a = saved[i].a, list[i].b = saved[i].b;
+      list[i].a = saved[i].a;
       list[i].solved = saved[i].solved, list[i].relaxed = saved[i].relaxed;
     }
   };
-  const auto count = [&](const std::vector<Saved>& saved, std::vector<std::uint32_t>& first, auto slot_of) {
+  const auto count = [&](const std::vector<Saved>& saved, std::vector<std::uint32_t>& first, auto rank_of) {
     first.assign(slots + 1, 0);
-    for (const Saved& contact : saved) ++first[slot_of(contact) + 1];
+    for (const Saved& contact : saved) ++first[rank_of(contact) + 1];
     for (std::size_t slot = 0; slot < slots; ++slot) first[slot + 1] += first[slot];
   };
   take(saved_pairs, pairs);
   take(saved_walls, walls);
-  count(saved_pairs, first_of_slot, [](const Saved& contact) { return contact.a; });
-  count(saved_walls, first_wall_of_slot, [](const Saved& contact) { return contact.b; });
+  count(saved_pairs, first_of_rank, [](const Saved& contact) { return contact.a; });
+  count(saved_walls, first_wall_of_rank, [](const Saved& contact) { return contact.b; });
   place.resize(pairs.size());
   other_.resize(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) place[i] = static_cast<std::uint32_t>(i), other_[i] = pairs[i].b;
+  for (std::size_t i = 0; i < pairs.size(); ++i) place[i] = static_cast<std::uint32_t>(i), other_[i] = saved_pairs[i].b;
 }
 
 std::vector<std::byte> ImpulseSolver::save() const {

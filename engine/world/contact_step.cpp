@@ -73,7 +73,7 @@ void ContactStep::for_bodies(const std::vector<Group>& groups, Workers& workers,
     const SlotRange& range = ranges[r];
     const Group& group = groups[range.group];
     for (std::size_t i = 0; i < range.count; ++i) {
-      const std::size_t slot = range.first_slot + i;
+      const std::size_t slot = bodies.slot_of(range.first_slot + i);
       const bool spins = bodies.spins && bodies.mobility[slot] > 0;
       act(group, range.first_row + i, slot, spins ? bodies.mobility[slot] / bodies.radius[slot] : Real(0));
     }
@@ -87,7 +87,8 @@ void ContactStep::read(const std::vector<Group>& groups, StateColumns StepGroup:
     const StateColumns& state = group.kernel.*columns;
     position.put(slot, at(state.position, row));
     velocity.put(slot, at(state.velocity, row));
-    if (per_momentum > 0) surface.put(slot, per_momentum * at(state.momentum, row));
+    if (!scene().bodies.spins) return;
+    surface.put(slot, per_momentum > 0 ? per_momentum * at(state.momentum, row) : Vector3<Real>{});
   });
 }
 

@@ -68,7 +68,10 @@ void World::contact_substeps(double from, double h) {
   const Method method = h == step_ ? contact_method_ : method_for(*row_, substep);
   for (int i = 0; i < count; ++i) {
     const double at = from + i * substep;
-    timed("read_contacts", [&] { impulse_->read_start(groups_, workers_); });
+    timed("read_contacts", [&] {
+      if (i == 0) impulse_->solver.sort_bodies();
+      impulse_->read_start(groups_, workers_);
+    });
     if (i == 0) timed("find_contacts", [&] { impulse_->solver.find(at, static_cast<Real>(h), workers_); });
     smooth_motion(method, at);
     timed("read_contacts", [&] { impulse_->read_trial(groups_, workers_); });

@@ -3,6 +3,7 @@
 // by mass, of all that keep the balls apart.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include "engine/contact/impulse_solver.h"
@@ -120,4 +121,66 @@ TEST_CASE("Solver: more sweeps come nearer", "[contact]") {
   CHECK(few > 1e-4);
   CHECK(more < few / 2);
   CHECK(many < more / 10);
+}
+
+namespace {
+
+/// Falling balls over many steps, with bodies sorted in memory every so many of them; the end by rank.
+std::vector<Vector3<Real>> run_sorted(std::size_t from, std::size_t every, int threads) {
+  ImpulseSolver solver;
+  fill(solver, 8);
+  solver.laws = {{{Real(0.4), Real(0.3)}}, 1};
+  solver.settings.sort_from = from;
+  solver.settings.sort_every = every;
+  ContactBodies& bodies = solver.bodies;
+  bodies.spins = true;
+  for (std::size_t i = 0; i < bodies.count; ++i) bodies.mobility[i] = Real(2.5) * bodies.inverse_mass[i];
+  std::vector<Vector3<Real>> x, v, surface(bodies.count);
+  for (std::size_t i = 0; i < bodies.count; ++i) {
+    const std::size_t shuffled = i * 389 % bodies.count;  // neighbours are far in the order of ranks
+    x.push_back(bodies.position.at(shuffled));
+    v.push_back(solver.bodies.end_position.at(shuffled) - bodies.position.at(shuffled));
+    v.back() = (1 / h) * v.back();
+  }
+  Workers workers(threads);
+  for (int step = 0; step < 40; ++step) {
+    solver.sort_bodies();
+    for (std::size_t rank = 0; rank < bodies.count; ++rank) {
+      const std::size_t slot = bodies.slot_of(rank);
+      bodies.position.put(slot, x[rank]), bodies.velocity.put(slot, v[rank]), bodies.surface.put(slot, surface[rank]);
+      const Vector3<Real> later = v[rank] + Vector3<Real>{0, 0, -h * 10};
+      bodies.end_position.put(slot, x[rank] + h * later), bodies.end_velocity.put(slot, later);
+      bodies.end_surface.put(slot, surface[rank]);
+    }
+    solver.find(step * h, h, workers);
+    solver.reflect(step * h, h, workers);
+    solver.solve(workers);
+    solver.relax(workers);
+    for (std::size_t rank = 0; rank < bodies.count; ++rank) {
+      const std::size_t slot = bodies.slot_of(rank);
+      x[rank] = bodies.end_position.at(slot), v[rank] = bodies.end_velocity.at(slot);
+      surface[rank] = bodies.end_surface.at(slot);
+    }
+  }
+  CHECK(solver.counters().impacts > 100);
+  CHECK(solver.counters().contacts > 1000);
+  CHECK(bodies.ranks.empty() == (from > bodies.count));
+  if (!bodies.ranks.empty()) CHECK_FALSE(std::is_sorted(bodies.ranks.begin(), bodies.ranks.end()));
+  x.insert(x.end(), v.begin(), v.end());
+  x.insert(x.end(), surface.begin(), surface.end());
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("Solver: the order of bodies in memory changes no bit", "[contact]") {
+  const std::vector<Vector3<Real>> unsorted = run_sorted(100000, 1, 1);
+  for (const std::size_t every : {1, 7}) {
+    for (const int threads : {1, 2}) {
+      const std::vector<Vector3<Real>> sorted = run_sorted(0, every, threads);
+      REQUIRE(sorted.size() == unsorted.size());
+      CAPTURE(every, threads);
+      CHECK(std::memcmp(sorted.data(), unsorted.data(), sorted.size() * sizeof(sorted[0])) == 0);
+    }
+  }
 }

@@ -1,9 +1,8 @@
 // When two balls are near: the one test that the grid and its oracle share.
 #pragma once
 
-#include <cmath>
-
 #include "engine/kernels/body.h"
+#include "engine/kernels/period.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -14,24 +13,6 @@ struct Balls {
   std::size_t count = 0;
   Real margin = 0;  ///< [m], not negative
 };
-
-/// Length after which space repeats along each axis [m]; 0: open. At least two of the largest reaches, so that a pair
-/// is near in one way only.
-struct Period {
-  Real length[3] = {};
-  bool any() const { return length[0] > 0 || length[1] > 0 || length[2] > 0; }
-};
-
-/// The nearest of a distance's images.
-inline Real nearest_image(Real distance, Real period) {
-  return period > 0 ? distance - period * std::floor(distance / period + Real(0.5)) : distance;
-}
-
-inline Vector3<Real> nearest_image(const Vector3<Real>& apart, const Period& period) {
-  if (!period.any()) return apart;
-  return {nearest_image(apart.x, period.length[0]), nearest_image(apart.y, period.length[1]),
-          nearest_image(apart.z, period.length[2])};
-}
 
 /// `reach`: sum of the radii and the margin.
 BALLPARK_INLINE bool within(Real dx, Real dy, Real dz, Real reach) {

@@ -75,8 +75,8 @@ class ContactSet {
  private:
   /// Impulses of the step before that were not zero.
   struct Carried {
-    std::vector<std::uint32_t> first;  ///< of each slot, and the end
-    std::vector<std::uint32_t> other;  ///< slot or wall
+    std::vector<std::uint32_t> first;  ///< of each rank, and the end
+    std::vector<std::uint32_t> other;  ///< rank or wall
     struct Impulses {
       ContactImpulse solved, relaxed;
     };
@@ -109,7 +109,7 @@ class ContactSet {
   std::size_t lists_ = 0;                     ///< of candidates in this step: blocks of each copy, and fast bodies
   std::vector<std::vector<Pair>> fast_near_;  ///< contacts of each fast body, by slot in its copy
   std::vector<std::vector<WatchedPair>> watched_;
-  std::vector<std::uint32_t> other_;           ///< in the order of slots: b of each pair
+  std::vector<std::uint32_t> other_;           ///< in the order of ranks: that of b of each pair
   std::vector<Real> wall_ways_;                ///< farthest that each wall may go in the step [m]
   std::vector<std::vector<Pair>> near_walls_;  ///< wall and slot, of each block of slots
   std::vector<std::uint8_t> colour_;

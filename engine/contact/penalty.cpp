@@ -87,8 +87,8 @@ bool Penalty::meets_wall(std::size_t wall, std::size_t slot, Meeting& meeting) c
   return true;
 }
 
-/// Writes a contact's force in the phase, and the rate of its tangential spring. At the start of a step a spring that
-/// slips is shortened to what friction holds.
+/// Writes a contact's force in the phase, and the rate of its tangential spring. Where the spring itself is at hand,
+/// one that slips is set so that with its dashpot it pulls as hard as friction holds.
 void Penalty::press(Contacts& contacts, std::size_t i, std::span<const Real> stage, bool touching,
                     const Meeting& meeting) {
   const std::size_t rate = stage.size() * contacts.size() + i;
@@ -116,28 +116,48 @@ void Penalty::press(Contacts& contacts, std::size_t i, std::span<const Real> sta
     contacts.slid[i] = share < 1 ? (Real(-1) / law.slide_stiffness) * (held + law.slide_damping * touch.slip) : slid;
   }
   const Vector3<Real>& spring = starts ? contacts.slid[i] : slid;
-  contacts.rates[rate] = touch.slip - dot(spring, meeting.turning) * touch.normal + cross(meeting.spin, spring);
+  contacts.rates[rate] = slide_rate(meeting, spring);
 }
 
-void Penalty::touch_all(std::span<const Real> stage, std::size_t first, std::size_t last, Part& part) {
-  const auto count = [&](bool touching, const Meeting& meeting) {
-    part.contacts += touching;
-    if (touching) part.deepest = std::max(part.deepest, meeting.touch.depth);
-  };
+/// The spring slips with the surfaces and turns with the normal and about it.
+Vector3<Real> Penalty::slide_rate(const Meeting& meeting, const Vector3<Real>& slid) {
+  const Touch& touch = meeting.touch;
+  return touch.slip - dot(slid, meeting.turning) * touch.normal + cross(meeting.spin, slid);
+}
+
+template <class Act>
+void Penalty::for_meetings(std::size_t first, std::size_t last, Act act) {
   for (std::size_t slot = first; slot < last; ++slot) {
     for (std::uint32_t i = list_.first[slot]; i < list_.first[slot + 1]; ++i) {
       Meeting meeting;
       const bool touching = meets(slot, list_.other[i], meeting);
-      press(pairs_, i, stage, touching, meeting);
-      count(touching, meeting);
+      act(pairs_, i, touching, meeting);
     }
     for (std::uint32_t i = first_wall_[slot]; i < first_wall_[slot + 1]; ++i) {
       Meeting meeting;
       const bool touching = meets_wall(wall_[i], slot, meeting);
-      press(walls_, i, stage, touching, meeting);
-      count(touching, meeting);
+      act(walls_, i, touching, meeting);
     }
   }
+}
+
+void Penalty::touch_all(std::span<const Real> stage, std::size_t first, std::size_t last, Part& part) {
+  for_meetings(first, last, [&](Contacts& contacts, std::size_t i, bool touching, const Meeting& meeting) {
+    press(contacts, i, stage, touching, meeting);
+    part.contacts += touching;
+    if (touching) part.deepest = std::max(part.deepest, meeting.touch.depth);
+  });
+}
+
+void Penalty::drift(Real h, Workers& workers) {
+  if (!bodies.spins || h == 0) return;
+  for_blocks(workers, [&](std::size_t first, std::size_t last, Part&) {
+    for_meetings(first, last, [&](Contacts& contacts, std::size_t i, bool touching, const Meeting& meeting) {
+      if (!touching || contacts.laws[i].friction == 0) return;
+      const Vector3<Real> slid = across(contacts.slid[i], meeting.touch.normal);
+      contacts.slid[i] = slid + h * slide_rate(meeting, slid);
+    });
+  });
 }
 
 /// Every body adds up its own contacts in the order of the others' ids, then of the walls.
@@ -149,7 +169,7 @@ void Penalty::sum(std::size_t slot) {
     all += side * contacts.forces[i];
     if (!contacts.twists.empty()) turned -= contacts.twists[i];
     ++load.contacts;
-    load.damping += contacts.laws[i].damping;
+    load.damping += damping_per_mass(contacts.laws[i], slot);
   };
   for (std::uint32_t k = list_.first_lower[slot]; k < list_.first_lower[slot + 1]; ++k) add(pairs_, list_.lower[k], 1);
   for (std::uint32_t i = list_.first[slot]; i < list_.first[slot + 1]; ++i) add(pairs_, i, -1);
@@ -166,13 +186,18 @@ Real Penalty::stiffness_per_mass(std::size_t slot) const {
   return bodies.spins ? std::max(normal, sliding) : normal;
 }
 
+Real Penalty::damping_per_mass(const SpringDashpot& law, std::size_t slot) const {
+  const Real normal = law.damping * bodies.inverse_mass[slot];
+  return std::max(normal, law.slide_damping * (bodies.inverse_mass[slot] + bodies.mobility[slot]));
+}
+
 /// Largest eigenvalue of M^-1 K over the contact network, bounded by blocks of contacts: that of a contact is at most
 /// the sum over its two bodies of (contacts of the body) times (stiffness per mass). Exact for two bodies.
 void Penalty::bound(std::size_t first, std::size_t last, Part& part) const {
   const auto spring = [&](std::size_t slot) {
     return static_cast<Real>(loads_[slot].contacts) * stiffness_per_mass(slot);
   };
-  const auto damping = [&](std::size_t slot) { return loads_[slot].damping * bodies.inverse_mass[slot]; };
+  const auto damping = [&](std::size_t slot) { return loads_[slot].damping; };
   for (std::size_t a = first; a < last; ++a) {
     part.spring = std::max(part.spring, spring(a)), part.damping = std::max(part.damping, damping(a));
     for (std::uint32_t i = list_.first[a]; i < list_.first[a + 1]; ++i) {
@@ -183,7 +208,7 @@ void Penalty::bound(std::size_t first, std::size_t last, Part& part) const {
   }
 }
 
-void Penalty::find_forces(std::span<const Real> stage, double time, Workers& workers) {
+void Penalty::find_forces(std::span<const Real> stage, bool first_phase, double time, Workers& workers) {
   set_moments(time);
   const std::size_t phases = stage.size() + 1;
   for (Contacts* contacts : {&pairs_, &walls_}) {
@@ -192,7 +217,7 @@ void Penalty::find_forces(std::span<const Real> stage, double time, Workers& wor
     }
   }
   for_blocks(workers, [&](std::size_t first, std::size_t last, Part& part) { touch_all(stage, first, last, part); });
-  if (stage.empty()) {
+  if (first_phase) {
     std::uint64_t touching = 0;
     for (const Part& part : parts_)
       touching += part.contacts, counters_.deepest = std::max(counters_.deepest, part.deepest);
@@ -202,7 +227,7 @@ void Penalty::find_forces(std::span<const Real> stage, double time, Workers& wor
   for_blocks(workers, [&](std::size_t first, std::size_t last, Part&) {
     for (std::size_t slot = first; slot < last; ++slot) sum(slot);
   });
-  if (!stage.empty()) return;
+  if (!first_phase) return;
   for_blocks(workers, [&](std::size_t first, std::size_t last, Part& part) { bound(first, last, part); });
   for (const Part& part : parts_) {
     counters_.spring = std::max(counters_.spring, part.spring);
@@ -227,22 +252,17 @@ double Penalty::energy(double time, Workers& workers) {
   keep_list(time, 0, workers);
   set_moments(time);
   double sum = 0;
-  const auto add = [&](const Contacts& contacts, std::size_t i, const Meeting& meeting) {
+  for_meetings(0, bodies.count, [&](Contacts& contacts, std::size_t i, bool touching, const Meeting& meeting) {
+    if (!touching) return;
     const SpringDashpot& law = contacts.laws[i];
     Real stored = law.stiffness * meeting.touch.depth * meeting.touch.depth;
-    if (!contacts.slid.empty()) stored += law.slide_stiffness * dot(contacts.slid[i], contacts.slid[i]);
+    if (!contacts.slid.empty() && law.slide_stiffness > 0) {  // of a spring that slips, what friction holds
+      const Real most = law.friction * std::max(Real(0), push(law, meeting.touch, settings.may_pull));
+      const Real held = std::min(law.slide_stiffness * length(contacts.slid[i]), most);
+      stored += held * held / law.slide_stiffness;
+    }
     sum += static_cast<double>(stored / 2);
-  };
-  for (std::size_t slot = 0; slot < bodies.count; ++slot) {
-    for (std::uint32_t i = list_.first[slot]; i < list_.first[slot + 1]; ++i) {
-      Meeting meeting;
-      if (meets(slot, list_.other[i], meeting)) add(pairs_, i, meeting);
-    }
-    for (std::uint32_t i = first_wall_[slot]; i < first_wall_[slot + 1]; ++i) {
-      Meeting meeting;
-      if (meets_wall(wall_[i], slot, meeting)) add(walls_, i, meeting);
-    }
-  }
+  });
   return sum;
 }
 

@@ -42,11 +42,13 @@ class Penalty : public ContactScene {
   Bound stiffest_pair() const;
   /// Neighbours for a step of length h, from the bodies at its start.
   void begin(double time, Real h, Workers& workers);
-  /// Forces on bodies as `bodies` has them in a phase, at which tangential springs have moved by the rates of the
-  /// phases before it, each times its element of `stage` [s].
-  void find_forces(std::span<const Real> stage, double time, Workers& workers);
-  /// After the last phase: tangential springs move by the rates of all phases, each times its weight [s].
+  /// Forces on bodies as `bodies` has them in a phase. Tangential springs have moved by the rates of the phases before
+  /// it, each times its element of `stage` [s]; of a splitting, whose springs drift with the positions, by none.
+  void find_forces(std::span<const Real> stage, bool first_phase, double time, Workers& workers);
+  /// Tangential springs move by the rates of all phases, each times its weight [s].
   void finish(std::span<const Real> weights, Workers& workers);
+  /// Tangential springs move for a time h [s] by the slip of bodies as `bodies` has them, in the middle of the drift.
+  void drift(Real h, Workers& workers);
   /// Energy in all springs, of bodies as `bodies` has them [J].
   double energy(double time, Workers& workers);
   /// State between steps as bytes; false if they do not fit these bodies and walls.
@@ -91,11 +93,12 @@ class Penalty : public ContactScene {
   };
   struct Load {
     std::uint32_t contacts = 0;
-    Real damping = 0;  ///< of all of them [N s/m]
+    Real damping = 0;  ///< of all of them per mass, along or across the normal [1/s]
   };
 
   SpringDashpot law_of(std::uint16_t material, std::uint16_t other, Real inverse_mass, Real mobility) const;
   Real stiffness_per_mass(std::size_t slot) const;
+  Real damping_per_mass(const SpringDashpot& law, std::size_t slot) const;
   void keep_list(double time, Real h, Workers& workers);
   void list(double time, Workers& workers);
   void set_laws();
@@ -105,6 +108,10 @@ class Penalty : public ContactScene {
   void set_moments(double time);
   bool meets(std::size_t a, std::size_t b, Meeting& meeting) const;
   bool meets_wall(std::size_t wall, std::size_t slot, Meeting& meeting) const;
+  /// Calls act(contacts, index, does it touch?, meeting) for the contacts that slots have as a, and with walls.
+  template <class Act>
+  void for_meetings(std::size_t first, std::size_t last, Act act);
+  static Vector3<Real> slide_rate(const Meeting& meeting, const Vector3<Real>& slid);
   void press(Contacts& contacts, std::size_t i, std::span<const Real> stage, bool touching, const Meeting& meeting);
   void touch_all(std::span<const Real> stage, std::size_t first, std::size_t last, Part& part);
   void sum(std::size_t slot);

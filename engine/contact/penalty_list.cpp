@@ -34,26 +34,22 @@ SpringDashpot Penalty::law_of(std::uint16_t material, std::uint16_t other, Real 
 }
 
 Penalty::Bound Penalty::stiffest_pair() const {
-  Bound all;
-  const std::size_t most = walls.empty() ? 2 : 1;
-  if (bodies.count < most) return all;
+  if (bodies.count == 0 || (walls.empty() && bodies.per_copy < 2)) return {};
   double first = 0, second = 0;  // of the two bodies with the largest
-  double inverse_first = 0, inverse_second = 0;
+  double ratio = 0;              // of materials that meet
   for (std::size_t slot = 0; slot < bodies.count; ++slot) {
     const double spring = static_cast<double>(stiffness_per_mass(slot));
-    const double inverse = static_cast<double>(bodies.inverse_mass[slot]);
     if (spring > first) {
-      second = first, inverse_second = inverse_first;
-      first = spring, inverse_first = inverse;
+      second = first, first = spring;
     } else if (spring > second) {
-      second = spring, inverse_second = inverse;
+      second = spring;
+    }
+    for (std::size_t m = 0; m < laws.materials; ++m) {
+      ratio = std::max(ratio, ratios_[bodies.material[slot] * laws.materials + m]);
     }
   }
-  double ratio = 0;
-  for (const double b : ratios_) ratio = std::max(ratio, b);
-  // c / m = 2 b sqrt(k / m), m the effective mass
-  return {first + second,
-          2 * ratio * __builtin_sqrt(static_cast<double>(settings.stiffness) * (inverse_first + inverse_second))};
+  const double spring = bodies.per_copy < 2 ? first : first + second;
+  return {spring, 2 * ratio * __builtin_sqrt(spring)};  // c / m = 2 b sqrt(k / m), m the effective mass
 }
 
 /// Searches for neighbours anew if a body or wall may use up its share of the skin in a step of length h.
@@ -64,7 +60,8 @@ void Penalty::keep_list(double time, Real h, Workers& workers) {
     for_blocks(workers, [&](std::size_t first, std::size_t last, Part&) {
       for (std::size_t i = first; i < last; ++i) {
         const Real far = h * length(bodies.velocity.at(i));
-        ahead_[i] = (far - far == 0 ? 2 * far : Real(0)) + wall_way;  // twice: it may gain speed
+        // Twice: it may gain speed. What goes farther than that is counted: no list is wide enough for it.
+        ahead_[i] = (far - far == 0 ? std::min(2 * far, 2 * bodies.radius[i]) : Real(0)) + wall_way;
       }
     });
   };

@@ -120,7 +120,7 @@ bool Penalty::restore(const std::vector<std::byte>& bytes) {
   Memories saved;
   Real none = 0;
   if (!unpack(bytes, *this, none, saved.pairs, saved.walls)) return false;
-  known_ = std::move(saved);
+  known_ = saved;  // a copy: the room that there is stays
   was_restored_ = true;
   return true;
 }

@@ -21,7 +21,7 @@ void for_all(std::size_t count, Workers& workers, Act act) {
 
 }  // namespace
 
-Bonds::Bonds(const PairInput& input) {
+Bonds::Bonds(const PairInput& input) : period_(input.period) {
   const auto& pairs = input.effect.pairs("pairs");
   const auto value = [&](const char* name, std::size_t i) {
     const std::vector<double>& list = input.effect.numbers(name);
@@ -31,7 +31,6 @@ Bonds::Bonds(const PairInput& input) {
     const std::size_t a = input.slot_of(pairs[i][0]), b = input.slot_of(pairs[i][1]);
     Bond bond{static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)),
               value("stiffness", i), value("damping", i), value("rest_length", i)};
-    if (bond.rest_length < 0) bond.rest_length = length(input.bodies.position_of(b) - input.bodies.position_of(a));
     bonds_.push_back(bond);
   }
   const auto key = [](const Bond& b) { return std::tuple(b.a, b.b, b.stiffness, b.damping, b.rest_length); };
@@ -39,6 +38,16 @@ Bonds::Bonds(const PairInput& input) {
   list_ends(input.bodies);
   bound_stiffness(input.bodies);
   forces_.resize(bonds_.size() * input.bodies.copies);
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    const Bond& bond = bonds_[i % bonds_.size()];
+    const std::size_t start = i / bonds_.size() * input.bodies.stride;
+    const bool as_placed = bond.rest_length < 0;
+    rest_lengths_.push_back(as_placed ? length(apart(input.bodies, start + bond.a, start + bond.b)) : bond.rest_length);
+  }
+}
+
+Vector3<Real> Bonds::apart(const PairBodies& bodies, std::size_t a, std::size_t b) const {
+  return nearest_image(bodies.position_of(b) - bodies.position_of(a), period_);
 }
 
 void Bonds::list_ends(const PairBodies& bodies) {
@@ -74,14 +83,14 @@ void Bonds::find_forces(PairBodies& bodies, Workers& workers) {
   for_all(forces_.size(), workers, [&](std::size_t i) {
     const Bond& bond = bonds_[i % bonds_.size()];
     const std::size_t start = i / bonds_.size() * bodies.stride, a = start + bond.a, b = start + bond.b;
-    const Vector3<Real> r = bodies.position_of(b) - bodies.position_of(a);
+    const Vector3<Real> r = apart(bodies, a, b);
     const Vector3<Real> v = bodies.velocity_of(b) - bodies.velocity_of(a);
     const Real distance = length(r);
     if (!(distance > 0)) {  // no direction
       forces_[i] = distance == 0 ? Vector3<Real>{} : r;
       return;
     }
-    const Real tension = bond.stiffness * (distance - bond.rest_length) + bond.damping * dot(v, r) / distance;
+    const Real tension = bond.stiffness * (distance - rest_lengths_[i]) + bond.damping * dot(v, r) / distance;
     forces_[i] = (-tension / distance) * r;
   });
   for_all(bodies.copies * bodies.count, workers, [&](std::size_t i) {
@@ -100,8 +109,7 @@ double Bonds::energy(const PairBodies& bodies, Workers&) {
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     const Bond& bond = bonds_[i % bonds_.size()];
     const std::size_t start = i / bonds_.size() * bodies.stride;
-    const Real extension =
-        length(bodies.position_of(start + bond.b) - bodies.position_of(start + bond.a)) - bond.rest_length;
+    const Real extension = length(apart(bodies, start + bond.a, start + bond.b)) - rest_lengths_[i];
     sum += static_cast<double>(bond.stiffness / 2 * extension * extension);
   }
   return sum;
@@ -144,7 +152,8 @@ EffectDescription Bonds::description() {
       .reads = {"position", "velocity"},
       .exerts = {"force"},
       .has_energy = true,
-      .flops = 36};
+      .flops = 36,
+      .between_bodies = true};
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

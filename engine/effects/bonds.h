@@ -17,12 +17,14 @@ class Bonds : public PairEffect {
 
  private:
   struct Bond {
-    std::uint32_t a, b;  ///< slots of a copy, a < b
-    Real stiffness, damping, rest_length;
+    std::uint32_t a, b;                    ///< slots of a copy, a < b
+    Real stiffness, damping, rest_length;  ///< negative: as at the start
   };
   struct End {
     std::uint32_t bond, is_a;
   };
+  /// From a to b, or to its nearest image.
+  Vector3<Real> apart(const PairBodies& bodies, std::size_t a, std::size_t b) const;
   void list_ends(const PairBodies& bodies);
   void bound_stiffness(const PairBodies& bodies);
 
@@ -30,7 +32,9 @@ class Bonds : public PairEffect {
   std::vector<std::uint32_t> first_end_;  ///< of each slot, and the end
   std::vector<End> ends_;                 ///< by slot, in the order of bonds
   std::vector<Vector3<Real>> forces_;     ///< on b, of every copy's bonds
+  std::vector<Real> rest_lengths_;        ///< likewise [m]
   Stiffness per_mass_;
+  Period period_;
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -63,7 +63,8 @@ EffectDescription MutualGravity::description() {
       .reads = {"position"},
       .exerts = {"force"},
       .has_energy = true,
-      .flops = flops_of_pair};
+      .flops = flops_of_pair,
+      .between_bodies = true};
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -9,6 +9,7 @@
 #include "engine/core/workers.h"
 #include "engine/effects/effect_info.h"
 #include "engine/effects/pair_kernels.h"
+#include "engine/kernels/period.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -53,6 +54,7 @@ struct PairInput {
   const PairBodies& bodies;  ///< at the start
   FunctionRef<std::size_t(std::size_t id)> slot_of;
   PairKernels kernels;
+  Period period;  ///< of the scene's space
 };
 
 struct PairEffectInfo {

@@ -64,7 +64,7 @@ const std::vector<Row>& rows() {
   return all;
 }
 
-const Row* find_row(const std::string& name) {
+const Row* find_row(std::string_view name) {
   for (const Row& row : rows()) {
     if (name == row.name) return &row;
   }

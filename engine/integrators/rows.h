@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/integrators/method.h"
@@ -24,7 +25,7 @@ struct Row {
 
 const std::vector<Row>& rows();
 /// nullptr if there is none of that name.
-const Row* find_row(const std::string& name);
+const Row* find_row(std::string_view name);
 const char* name(Family family);
 
 /// The row's coefficients times the step h [s].

@@ -106,7 +106,7 @@ void Builder::start_penalty() {
   penalty.prepare();
   const Penalty::Bound pair = penalty.stiffest_pair();
   world_.watched_stiffness_ = {pair.spring, pair.damping};
-  if (world_.status_.code == Status::Code::ok) world_.judge_contacts(world_.watched_stiffness_, world_.step_);
+  if (world_.status_.code == Status::Code::ok) world_.judge_contacts(world_.watched_stiffness_);
 }
 
 void Builder::describe_contacts(const std::vector<std::string>& materials) {

@@ -1,5 +1,6 @@
 // Effects between bodies: slots of their bodies and what they make of their parameters.
 #include <algorithm>
+#include <tuple>
 
 #include "engine/world/build.h"
 
@@ -18,7 +19,12 @@ void Builder::add_pair_systems() {
     if (pair_effect_index(effect.kind) >= 0) effects.push_back(effect);
   }
   std::stable_sort(effects.begin(), effects.end(), [](const Effect& a, const Effect& b) {
-    return std::pair(pair_effect_index(a.kind), numbers_of(a)) < std::pair(pair_effect_index(b.kind), numbers_of(b));
+    const auto key = [](const Effect& effect) {
+      std::vector<std::string> groups = effect.groups;
+      std::sort(groups.begin(), groups.end());
+      return std::tuple(pair_effect_index(effect.kind), numbers_of(effect), groups);
+    };
+    return key(a) < key(b);
   });
   for (const Effect& effect : effects) add_pair_system(effect);
 }
@@ -56,7 +62,13 @@ void Builder::add_pair_system(const Effect& effect) {
   };
   const auto parameters = complete_parameters(effect, system.info->description);
   const EffectInput input{parameters, 0, {}};
-  system.effect = system.info->make({input, bodies, slot_of, world_.kernels_->pair});
+  Period period;
+  for (const Boundary& boundary : scene_.boundaries) {
+    for (int c = 0; c < 3 && boundary.shape == "periodic"; ++c) {
+      period.length[c] = static_cast<Real>(boundary.size[c]);
+    }
+  }
+  system.effect = system.info->make({input, bodies, slot_of, world_.kernels_->pair, period});
   world_.pair_systems_.push_back(std::move(system));
 }
 

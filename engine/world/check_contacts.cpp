@@ -155,10 +155,12 @@ struct ContactCheck {
     const ContactSettings& contact = scene.contact;
     const ContactSettings unset;
     const bool penalty = contact.kind == "penalty";
+    const std::string own = penalty ? "stiffness, tangential_stiffness, pull or margin"
+                                    : "substeps, iterations, relax_iterations, margin or restitution_threshold";
     const auto foreign = [&](const char* key, bool given) {
       if (given)
         problems.add(std::string("contact.") + key,
-                     "is given, which contact.kind = \"" + contact.kind + "\" does not have");
+                     "is given, which contact.kind = \"" + contact.kind + "\" does not have; expected " + own);
     };
     if (contact.kind.empty()) return;
     foreign(penalty ? "substeps" : "stiffness", penalty ? contact.substeps != unset.substeps : contact.stiffness != 0);
@@ -172,7 +174,11 @@ struct ContactCheck {
 
   void check_penalty() {
     const ContactSettings& contact = scene.contact;
-    problems.positive("contact.stiffness", contact.stiffness, "N/m");
+    if (contact.stiffness == 0) {
+      problems.add("contact.stiffness", "is 0 or missing, expected a number > 0 [N/m]: of the spring along the normal");
+    } else {
+      problems.positive("contact.stiffness", contact.stiffness, "N/m");
+    }
     problems.positive("contact.tangential_stiffness", contact.tangential_stiffness, "1");
     if (scene.run.integrator == "taylor2") {
       problems.add("run.integrator",
@@ -184,7 +190,10 @@ struct ContactCheck {
     for (std::size_t i = 0; i < names.size(); ++i) {
       for (std::size_t j = i; j < names.size(); ++j) {
         const double e = law_between(scene, names[i], names[j]).restitution;
-        if (e >= least) continue;
+        const bool met = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyGroup& body) {
+          return !body.shape.empty() && (body.material == names[i] || body.material == names[j]);
+        });
+        if (e >= least || !met) continue;
         problems.add("contact.kind",
                      fmt::format("penalty: restitution {} of {} on {} is less than {}, the least that a dashpot gives "
                                  "which does not pull; expected more, or contact.pull = true",

@@ -137,6 +137,7 @@ struct EffectCheck {
                    fmt::format("is {} s, expected a time after at = {} s", text(std::get<double>(until->second)),
                                text(std::get<double>(at->second))));
     }
+    check_space();
     check_pairs(description, parameters);
     for (const BodyGroup& group : scene.bodies) {
       if (!acts_on(effect, group)) continue;
@@ -152,11 +153,21 @@ struct EffectCheck {
     }
   }
 
+  /// Every body attracts every other: images without end do not add up.
+  void check_space() {
+    if (effect.kind != "mutual_gravity") return;
+    for (const Boundary& boundary : scene.boundaries) {
+      if (boundary.shape != "periodic") continue;
+      problems.add(path("kind"), "mutual_gravity acts over all of space, expected no periodic boundary");
+    }
+  }
+
   /// Pairs name two bodies of the effect's groups; what differs between pairs has a number for each.
   void check_pairs(const EffectDescription& description, const std::map<std::string, Value>& parameters) {
     const auto pairs = parameters.find("pairs");
     if (pairs == parameters.end()) return;
     const auto& list = std::get<std::vector<IdPair>>(pairs->second);
+    if (list.empty()) return problems.add(path("pairs"), "is empty, expected a list of pairs of ids [[a, b], ...]");
     for (std::size_t i = 0; i < list.size(); ++i) {
       const std::string at = path_of(path("pairs"), i, list.size());
       if (list[i][0] == list[i][1]) {

@@ -171,23 +171,24 @@ void PenaltyStep::begin(const std::vector<Group>& groups, double time, Real h, W
   penalty.begin(time, h, workers);
 }
 
-namespace {
-
-/// A tangential spring in phases before this one; of a splitting, it drifts with the positions.
-std::span<const Real> stage_of(const Method& m, int phase, Real (&drifts)[max_phases]) {
-  const auto phases = static_cast<std::size_t>(phase);
-  if (m.family != Family::splitting) return {m.a[phase], phases};
-  for (int j = 0; j < phase; ++j) drifts[j] = m.drift[j];
-  return {drifts, phases};
+/// Tangential springs of a splitting drift as positions do, by the velocities that these had.
+void PenaltyStep::drift(const std::vector<Group>& groups, Real h, Workers& workers) {
+  if (h == 0 || !penalty.bodies.spins) return;
+  read_state(groups, &StepGroup::state, workers);
+  ContactBodies& bodies = penalty.bodies;
+  for_bodies(groups, workers, [&](const Group&, std::size_t, std::size_t slot, Real) {
+    bodies.position.put(slot, bodies.position.at(slot) - (h / 2) * bodies.velocity.at(slot));
+  });
+  penalty.drift(h, workers);
 }
-
-}  // namespace
 
 void PenaltyStep::add_forces(const std::vector<Group>& groups, const Method& method, int phase, double time,
                              Workers& workers) {
+  const bool splits = method.family == Family::splitting;
+  if (splits && phase > 0) drift(groups, method.drift[phase - 1], workers);
   read_state(groups, &StepGroup::trial, workers);
-  Real drifts[max_phases];
-  penalty.find_forces(stage_of(method, phase, drifts), time, workers);
+  const std::size_t before = splits ? 0 : static_cast<std::size_t>(phase);
+  penalty.find_forces({method.a[phase], before}, phase == 0, time, workers);
   const ContactBodies& bodies = penalty.bodies;
   for_bodies(groups, workers, [&](const Group& group, std::size_t row, std::size_t slot, Real per_momentum) {
     put(group.force_sums, row, at(group.force_sums, row) + penalty.force.at(slot));
@@ -197,8 +198,11 @@ void PenaltyStep::add_forces(const std::vector<Group>& groups, const Method& met
 }
 
 void PenaltyStep::finish(const std::vector<Group>& groups, const Method& method, Workers& workers) {
-  const bool splits = method.family == Family::splitting;
-  penalty.finish({splits ? method.kick : method.b, static_cast<std::size_t>(method.phases)}, workers);
+  if (method.family == Family::splitting) {
+    drift(groups, method.drift[method.phases - 1], workers);
+  } else {
+    penalty.finish({method.b, static_cast<std::size_t>(method.phases)}, workers);
+  }
   if (!penalty.period.any()) return;
   for_bodies(groups, workers, [&](const Group& group, std::size_t row, std::size_t, Real) {
     const StateColumns& state = group.kernel.state;

@@ -87,6 +87,7 @@ class PenaltyStep : public ContactStep {
 
  private:
   void read_state(const std::vector<Group>& groups, StateColumns StepGroup::*columns, Workers& workers);
+  void drift(const std::vector<Group>& groups, Real h, Workers& workers);
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -1,5 +1,6 @@
 // What exists in a world and why, with the bytes and flops of each pass.
 #include <algorithm>
+#include <cmath>
 
 #include "engine/world/world.h"
 
@@ -213,6 +214,20 @@ std::vector<std::string> what_is_off(const std::vector<Group>& groups, const std
   return off;
 }
 
+/// Staged passes of all groups in the order of the step; effects between bodies lie between the others.
+void put_in_order(std::vector<PassReport>& passes) {
+  static const std::vector<std::string> before{"keep_neighbours", "prepare", "user_effects", "clear_sums"};
+  static const std::vector<std::string> after{"press_contacts", "evaluate", "finish", "finish_contacts"};
+  const auto rank = [](const PassReport& pass) {
+    const auto early = std::find(before.begin(), before.end(), pass.name);
+    if (early != before.end()) return early - before.begin() - static_cast<std::ptrdiff_t>(before.size());
+    const auto late = std::find(after.begin(), after.end(), pass.name);
+    return late == after.end() ? 0 : late - after.begin() + 1;
+  };
+  std::stable_sort(passes.begin(), passes.end(),
+                   [&](const PassReport& a, const PassReport& b) { return rank(a) < rank(b); });
+}
+
 }  // namespace
 
 Explanation World::explain() const {
@@ -237,10 +252,18 @@ Explanation World::explain() const {
     fused_ ? writer.fused() : writer.staged();
   }
   for (const PairSystem& system : pair_systems_) system.explain(groups_, method_.phases, all);
-  if (contacts_) contacts_->explain(groups_, all);
+  if (penalty_) penalty_->explain(groups_, all);
+  if (!fused_) put_in_order(all.passes);
+  if (impulse_) impulse_->explain(groups_, all);
+  for (const auto& [name, per_mass] : stiffnesses_) {
+    const double largest = f64::step_limit(row_->name, step_, per_mass.spring, per_mass.damping).largest;
+    if (std::isfinite(largest)) all.step_limits.push_back({name, largest});
+  }
   if (penalty_) {
-    all.contact.largest_step =
-        f64::step_limit(row_->name, step_, watched_stiffness_.spring, watched_stiffness_.damping).largest;
+    const Stiffness others = beside_contacts();
+    all.contact.largest_step = f64::step_limit(row_->name, step_, watched_stiffness_.spring + others.spring,
+                                               watched_stiffness_.damping + others.damping)
+                                   .largest;
   }
   for (const Column& column : columns_.all()) {
     const ColumnInfo& info = column.info;

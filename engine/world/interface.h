@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "ballpark/catalogue.h"
 #include "ballpark/options.h"
@@ -53,7 +54,7 @@ struct StepLimit {
 };
 namespace f64 {
 /// For x'' = -k x - c v; measured in double, whatever the world's precision.
-StepLimit step_limit(const std::string& integrator, double h, double k, double c);
+StepLimit step_limit(std::string_view integrator, double h, double k, double c);
 }  // namespace f64
 
 // Each precision of the engine offers these.

@@ -74,7 +74,7 @@ double boundary(F radius, double scale) {
 
 }  // namespace
 
-StepLimit step_limit(const std::string& integrator, double h, double k, double c) {
+StepLimit step_limit(std::string_view integrator, double h, double k, double c) {
   if (k == 0 && c == 0) return {std::numeric_limits<double>::infinity(), 1};
   const Row& row = *find_row(integrator);
   const auto radius = [&](double step) { return spectral_radius(row, k * step * step, c * step); };
@@ -94,20 +94,21 @@ std::vector<IntegratorDescription> describe_integrators() {
 }
 
 void Builder::check_stability() {
-  Stiffness stiffest, between;  // bonds pull beside each other and beside what holds bodies in their places
-  for (const auto& [group, per_mass] : local_stiffness_) {
-    check_stability("group " + group->name, per_mass);
-    stiffest = {std::max(stiffest.spring, per_mass.spring), std::max(stiffest.damping, per_mass.damping)};
-  }
+  for (const auto& [group, per_mass] : local_stiffness_) check_stability("group " + group->name, per_mass);
+  Stiffness all;  // bonds pull beside each other and beside what holds their bodies in place
   std::string names;
   for (const PairSystem& system : world_.pair_systems_) {
     const Stiffness per_mass = system.effect->per_mass();
     if (per_mass.spring == 0 && per_mass.damping == 0) continue;
-    between = {between.spring + per_mass.spring, between.damping + per_mass.damping};
+    Stiffness held;
+    for (const auto& [group, local] : local_stiffness_) {
+      if (!system.acts_on(static_cast<std::size_t>(group - world_.groups_.data()))) continue;
+      held = {std::max(held.spring, local.spring), std::max(held.damping, local.damping)};
+    }
+    all = {all.spring + per_mass.spring + held.spring, all.damping + per_mass.damping + held.damping};
     names += (names.empty() ? "" : ", ") + std::string(system.name());
   }
-  if (names.empty()) return;
-  check_stability(names, {stiffest.spring + between.spring, stiffest.damping + between.damping});
+  if (!names.empty()) check_stability(names, all);
 }
 
 double Builder::lightest(const Group& group) const {
@@ -122,6 +123,7 @@ double Builder::lightest(const Group& group) const {
 /// A step beyond the limit is said, never silent. A method that grows at every step is reported when the growth over
 /// the run is more than a tenth.
 void Builder::check_stability(const std::string& whose, const Stiffness& per_mass) {
+  world_.stiffnesses_.emplace_back(whose, per_mass);
   if (world_.status_.code != Status::Code::ok) return;
   const double h = world_.step_;
   const StepLimit limit = f64::step_limit(world_.row_->name, h, per_mass.spring, per_mass.damping);
@@ -139,21 +141,30 @@ void Builder::check_stability(const std::string& whose, const Stiffness& per_mas
   }
 }
 
-/// A contact swings for half a turn: what grows at every step is reported when that is more than a tenth of it.
-void World::judge_contacts(const Stiffness& per_mass, double h) {
-  const StepLimit limit = f64::step_limit(row_->name, h, per_mass.spring, per_mass.damping);
-  const std::string contacts = std::string(row_->name) + " on contacts (contact.stiffness)";
-  const double steps = 3.14159 / (std::sqrt(per_mass.spring) * h);
-  if (limit.largest > 0 && h > limit.largest * (1 + 1e-6)) {
-    status_ = {Status::Code::stability,
-               "a step of " + text(h) + " s exceeds " + text(limit.largest) + " s, the stability limit of " + contacts};
-  } else if (limit.largest == 0 && std::exp(std::log(limit.growth) * steps) > 1.1) {
-    status_ = {Status::Code::stability, "no step is stable for " + contacts + ": one of " + text(h) +
-                                            " s gains more than a tenth of its speed in each impact"};
+/// What else holds the bodies that touch, at most.
+Stiffness World::beside_contacts() const {
+  Stiffness most;
+  for (const auto& [name, per_mass] : stiffnesses_) {
+    most = {std::max(most.spring, per_mass.spring), std::max(most.damping, per_mass.damping)};
   }
-  if (status_.code == Status::Code::ok) return;
-  status_.step = counters_.steps;
-  status_.time = time();
+  return most;
+}
+
+/// A contact swings for half a turn: what grows at every step is reported when that is more than a tenth of it.
+void World::judge_contacts(const Stiffness& of_contacts) {
+  const Stiffness others = beside_contacts();
+  const double spring = of_contacts.spring + others.spring, damping = of_contacts.damping + others.damping;
+  const StepLimit limit = f64::step_limit(row_->name, step_, spring, damping);
+  const double steps = 3.14159 / (std::sqrt(spring) * step_);
+  const bool exceeded = limit.largest > 0 && step_ > limit.largest * (1 + 1e-6);
+  const bool grows = limit.largest == 0 && std::exp(std::log(limit.growth) * steps) > 1.1;
+  if (!exceeded && !grows) return;
+  const std::string contacts = std::string(row_->name) + " on contacts (contact.stiffness)";
+  const std::string sentence = exceeded ? "a step of " + text(step_) + " s exceeds " + text(limit.largest) +
+                                              " s, the stability limit of " + contacts
+                                        : "no step is stable for " + contacts + ": one of " + text(step_) +
+                                              " s gains more than a tenth of its speed in each impact";
+  status_ = {Status::Code::stability, sentence, 0, counters_.steps, time()};
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -153,19 +153,19 @@ void World::staged_passes(const Method& method, double from) {
   });
   if (penalty_) {
     timed("finish_contacts", [&] { penalty_->finish(groups_, method, workers_); });
-    watch_contact_stiffness(method);
+    watch_contact_stiffness();
   }
   if (!finite) report_non_finite();
 }
 
 /// Contacts stiffen as bodies are pressed together: a step that was stable may be so no longer.
-void World::watch_contact_stiffness(const Method& method) {
+void World::watch_contact_stiffness() {
   const PenaltyCounters& now = penalty_->penalty.counters();
   const double spring = static_cast<double>(now.spring), damping = static_cast<double>(now.damping);
   if (status_.code != Status::Code::ok) return;
   if (spring <= 1.001 * watched_stiffness_.spring && damping <= 1.001 * watched_stiffness_.damping) return;
   watched_stiffness_ = {std::max(spring, watched_stiffness_.spring), std::max(damping, watched_stiffness_.damping)};
-  judge_contacts(watched_stiffness_, static_cast<double>(method.step));
+  judge_contacts(watched_stiffness_);
 }
 
 /// Sums of force and torque from user effects, effects between bodies and contacts, for the evaluation that follows.

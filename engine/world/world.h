@@ -100,9 +100,10 @@ class World : public WorldInterface {
   void advance(double from, double h);
   void smooth_motion(const Method& method, double from);
   void contact_substeps(double from, double h);
-  void watch_contact_stiffness(const Method& method);
+  void watch_contact_stiffness();
   // stability.cpp
-  void judge_contacts(const Stiffness& per_mass, double h);
+  void judge_contacts(const Stiffness& of_contacts);
+  Stiffness beside_contacts() const;
   void activate_windows(double from, double h);
   const FamilyKernels& kernels_of(const Group& group, const Method& method) const;
   void fused_pass(const Method& method);
@@ -145,6 +146,7 @@ class World : public WorldInterface {
   std::size_t per_copy_ = 0, copies_ = 1;
   Counters counters_;
   Status status_;
+  std::vector<std::pair<std::string, Stiffness>> stiffnesses_;  ///< per mass, of groups and of what is between them
   Stiffness watched_stiffness_;  ///< of contacts, per mass: the most that was held against the step
   mutable Workers workers_;
   const KernelTable* kernels_ = nullptr;

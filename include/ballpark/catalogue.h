@@ -33,7 +33,8 @@ struct EffectDescription {
   std::vector<std::string> exerts;  ///< "force", "torque", "constraint"
   bool has_energy = false;
   bool has_force_derivative = false;  ///< usable with taylor2
-  int flops = 0;                      ///< per body and evaluation
+  int flops = 0;                      ///< per evaluation and body (between bodies: and pair)
+  bool between_bodies = false;        ///< takes the staged path
 };
 
 struct IntegratorDescription {

@@ -93,6 +93,12 @@ struct ContactReport {
   std::size_t bytes = 0;    ///< of grid, pairs and contacts as they are now [B]
 };
 
+/// The largest step at which a stiff force is stable [s]; 0: it grows at every step.
+struct StepLimitReport {
+  std::string of;  ///< "group balls", "bonds"
+  double largest = 0;
+};
+
 /// What exists for a scene, and why: what `ballpark explain` prints.
 struct Explanation {
   std::string path;  ///< "fused" or "staged"
@@ -109,6 +115,7 @@ struct Explanation {
   double flops_per_body_step = 0;
   std::size_t column_bytes = 0;  ///< allocated in all [B]
   ContactReport contact;
+  std::vector<StepLimitReport> step_limits;  ///< of springs and dampers
 };
 
 /// Time spent in one pass since profiling was switched on.

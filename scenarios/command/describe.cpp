@@ -83,13 +83,13 @@ Description describe_effect(const EffectDescription& effect) {
   }
   text.table(table);
   text.heading("Properties");
-  text.fields(
-      {{"reads", or_none(effect.reads)},
-       {"exerts", or_none(effect.exerts)},
-       {"energy", effect.has_energy ? "has a potential, counted in the run's energy" : "no potential"},
-       {"taylor2", effect.has_force_derivative ? "gives its force derivative" : "no force derivative: refused"},
-       {"cost", counted(static_cast<std::uint64_t>(effect.flops), "flop", "flops") + " per body and evaluation"},
-       {"source", effect.source}});
+  text.fields({{"reads", or_none(effect.reads)},
+               {"exerts", or_none(effect.exerts)},
+               {"energy", effect.has_energy ? "has a potential, counted in the run's energy" : "no potential"},
+               {"taylor2", effect.has_force_derivative ? "gives its force derivative" : "no force derivative: refused"},
+               {"cost", counted(static_cast<std::uint64_t>(effect.flops), "flop", "flops") +
+                            (effect.between_bodies ? " per pair" : " per body") + " and evaluation"},
+               {"source", effect.source}});
   text.heading("In a scene file");
   add_lines(text, example(effect));
   Json json = to_json(effect);

@@ -1,6 +1,8 @@
 // ballpark explain: what exists for a scene, and why.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "ballpark/scenes.h"
 #include "ballpark/world.h"
 #include "scenarios/command/commands.h"
@@ -29,6 +31,10 @@ void add_summary(Page& text, const Explanation& explanation) {
                {"a body-step", fmt::format("moves {} B, computes {} flops", number(explanation.bytes_per_body_step, 5),
                                            number(explanation.flops_per_body_step, 4))},
                {"columns", bytes(static_cast<double>(explanation.column_bytes)) + " allocated"}});
+  for (const StepLimitReport& limit : explanation.step_limits) {
+    text.fields({{"stable to", limit.largest > 0 ? number(limit.largest, 4) + " s (" + limit.of + ")"
+                                                 : "no step: oscillations grow (" + limit.of + ")"}});
+  }
 }
 
 void add_groups(Page& text, const Explanation& explanation) {
@@ -71,6 +77,7 @@ void add_passes(Page& text, const Explanation& explanation) {
 
 std::string largest_step(const ContactReport& contact) {
   if (!(contact.largest_step > 0)) return "none is stable with this integrator: each impact gains energy";
+  if (!std::isfinite(contact.largest_step)) return "any: no two bodies can touch";
   return number(contact.largest_step, 4) +
          " s is stable for two bodies in contact; more contacts need less, which the run watches";
 }
@@ -152,6 +159,14 @@ Json passes_json(const Explanation& explanation) {
   return list;
 }
 
+Json limits_json(const Explanation& explanation) {
+  Json list = Json::array();
+  for (const StepLimitReport& limit : explanation.step_limits) {
+    list.push_back({{"of", limit.of}, {"largest", limit.largest}});
+  }
+  return list;
+}
+
 Json contact_json(const ContactReport& contact) {
   if (contact.kind.empty()) return nullptr;
   return {{"kind", contact.kind},
@@ -182,6 +197,7 @@ Json to_json(const std::string& scenario, const Explanation& explanation) {
           {"flops_per_body_step", explanation.flops_per_body_step},
           {"column_bytes", explanation.column_bytes},
           {"contact", contact_json(explanation.contact)},
+          {"step_limits", limits_json(explanation)},
           {"groups", groups_json(explanation)},
           {"columns", columns_json(explanation)},
           {"passes", passes_json(explanation)},

@@ -29,7 +29,7 @@ inline constexpr const char* list =
     "Example:\n"
     "  ballpark list integrators\n"
     "\n"
-    "Without a word, all sections. Contacts: none in this version.\n"
+    "Without a word, all sections.\n"
     "With --json: a list of objects (an object of lists without a word).";
 
 inline constexpr const char* describe =

@@ -70,24 +70,26 @@ void add_contacts(Page& text, const ProfileFigures& figures) {
   const Counters& c = figures.counters;
   const double steps = static_cast<double>(std::max<std::uint64_t>(c.steps, 1));
   text.heading(fmt::format("Contacts over {}", counted(c.steps, "step", "steps")));
-  text.fields({{"pairs", fmt::format("{} a step", number(static_cast<double>(c.pairs) / steps, 5))}});
+  const auto a_step = [&](std::uint64_t count) { return number(static_cast<double>(count) / steps, 5); };
+  std::vector<std::pair<std::string, Cell>> fields{{"pairs", a_step(c.pairs) + " a step"}};
   if (contact.kind == "penalty") {
-    return text.fields(
-        {{"contacts", fmt::format("{} a step, {} at most", number(static_cast<double>(c.contacts) / steps, 5),
-                                  grouped(c.peak_contacts))},
-         {"neighbours", "searched anew " + counted(c.neighbour_lists, "time", "times")},
-         {"deepest overlap", number(c.max_penetration, 3) + " m"}});
+    fields.push_back({"contacts", fmt::format("{} a step, {} at most", a_step(c.contacts), grouped(c.peak_contacts))});
+    fields.push_back({"neighbours", "searched anew " + counted(c.neighbour_lists, "time", "times")});
+  } else {
+    fields.push_back(
+        {"contacts", fmt::format("{} loaded a step, {} at most, {}", a_step(c.contacts), grouped(c.peak_contacts),
+                                 counted(static_cast<std::uint64_t>(c.colours), "colour", "colours"))});
+    fields.push_back(
+        {"impacts", fmt::format("{}, in at most {}", grouped(c.impacts),
+                                counted(c.impact_rounds, "round of reflections", "rounds of reflections"))});
+    fields.push_back(
+        {"solver", fmt::format("{}, {} iterations and {} to relax",
+                               counted(static_cast<std::uint64_t>(contact.substeps), "substep", "substeps"),
+                               contact.iterations, contact.relax_iterations)});
+    fields.push_back({"residual", number(c.residual, 3) + " m/s, the last sweep's largest error in a normal speed"});
   }
-  text.fields({{"contacts", fmt::format("{} loaded a step, {} at most, {}",
-                                        number(static_cast<double>(c.contacts) / steps, 5), grouped(c.peak_contacts),
-                                        counted(static_cast<std::uint64_t>(c.colours), "colour", "colours"))},
-               {"impacts", fmt::format("{}, in at most {}", grouped(c.impacts),
-                                       counted(c.impact_rounds, "round of reflections", "rounds of reflections"))},
-               {"solver", fmt::format("{}, {} iterations and {} to relax",
-                                      counted(static_cast<std::uint64_t>(contact.substeps), "substep", "substeps"),
-                                      contact.iterations, contact.relax_iterations)},
-               {"residual", number(c.residual, 3) + " m/s, the last sweep's largest error in a normal speed"},
-               {"deepest overlap", number(c.max_penetration, 3) + " m"}});
+  fields.push_back({"deepest overlap", number(c.max_penetration, 3) + " m"});
+  text.fields(std::move(fields));
 }
 
 void add_threads(Page& text, const ProfileFigures& figures) {

@@ -93,7 +93,9 @@ void add_contact_facts(std::vector<std::pair<std::string, Cell>>& facts, const R
                                grouped(c.peak_contacts), solver_fact(report))},
       {"deepest overlap", number(c.max_penetration, 3) + " m"}};
   if (report.contact == "penalty") {
-    fields.push_back({"largest step", number(report.largest_step, 3) + " s would be stable for the contacts met"});
+    const bool any = std::isfinite(report.largest_step);
+    fields.push_back({"largest step", any ? number(report.largest_step, 3) + " s would be stable for the contacts met"
+                                          : "any: no two bodies can touch"});
   } else {
     fields.insert(fields.end() - 1, {"impacts", fmt::format("{}, in at most {} of reflections", grouped(c.impacts),
                                                             counted(c.impact_rounds, "round", "rounds"))});
@@ -190,6 +192,7 @@ Exit run(const Arguments& arguments) {
   delivery.text(text_of(report, file.scene, files.written()));
   delivery.json(scenes::to_json(report));
   if (!arguments.quiet) warn(untold_warnings(report, delivery.wants_text()));
+  if (arguments.quiet && report.status.code != Status::Code::ok) warn({report.status.sentence});
   for (const std::string& failure : failures) complain(failure);
   return exit_code(report, accepted(file.scene, report.status), !failures.empty());
 }

@@ -77,12 +77,14 @@ Rows contact_rows() {
       Row("kind", word, "", into(&ContactSettings::kind), "The formulation (`ballpark list contacts`).")
           .one_of(names_of(contacts()))
           .must(),
-      Row("substeps", whole, "", into_int(&ContactSettings::substeps), "Of a step, each with its own contact solve.")
+      Row("substeps", whole, "", into_int(&ContactSettings::substeps),
+          "impulse: of a step, each with its own contact solve.")
           .otherwise("1"),
       Row("iterations", whole, "", into_int(&ContactSettings::iterations),
-          "Sweeps over all contacts that keep surfaces apart.")
+          "impulse: sweeps over all contacts that keep surfaces apart.")
           .otherwise("12"),
-      Row("relax_iterations", whole, "", into_int(&ContactSettings::relax_iterations), "Sweeps that settle velocities.")
+      Row("relax_iterations", whole, "", into_int(&ContactSettings::relax_iterations),
+          "impulse: sweeps that settle velocities.")
           .otherwise("3"),
       Row("margin", number, "1", into(&ContactSettings::margin),
           "impulse: contacts are surfaces that will pass each other at less than this share of both radii together. "
@@ -90,7 +92,7 @@ Rows contact_rows() {
           .in({.minimum = 0.01, .maximum = 10})
           .otherwise("0.2"),
       Row("restitution_threshold", number, "m/s", into(&ContactSettings::restitution_threshold),
-          "Slower approaches end at restitution 0.")
+          "impulse: slower approaches end at restitution 0.")
           .in(not_negative)
           .otherwise("0"),
       Row("stiffness", number, "N/m", into(&ContactSettings::stiffness),

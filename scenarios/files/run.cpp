@@ -25,7 +25,7 @@ const char* word(Precision precision) {
 }
 
 double ratio(double difference, double scale) {
-  return scale > 0 ? difference / scale : 0;
+  return scale > 0 || !std::isfinite(difference) ? difference / scale : 0;
 }
 
 using Clock = std::chrono::steady_clock;
@@ -230,6 +230,11 @@ class Run {
           fmt::format("effects[{}].at = {} s is not before the end: it does not act", i, std::get<double>(at->second)));
     }
     add_contact_warnings(list);
+    const Totals now = world_.totals();
+    if (now.non_finite_bodies == 0 && !std::isfinite(now.energy())) {
+      list.push_back(
+          "energy is not finite, although all bodies are: forces or speeds are too large for this precision");
+    }
     if (world_.status().code != Status::Code::ok) list.push_back(world_.status().sentence);
     if (const std::size_t lost = world_.totals().non_finite_bodies; lost > 0) {
       list.push_back(fmt::format("{} of {} bodies are not finite; they are left out of energy and momentum", lost,

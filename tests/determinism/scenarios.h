@@ -84,7 +84,9 @@ inline std::vector<std::string> available_targets() {
 /// Do bodies move by forces of their own alone? Forces between bodies take the staged path, and have no derivative.
 inline bool is_local(const Scene& scene) {
   const auto between = [](const ballpark::Effect& effect) {
-    return effect.kind == "mutual_gravity" || effect.kind == "bonds";
+    return std::any_of(ballpark::effects().begin(), ballpark::effects().end(), [&](const auto& description) {
+      return description.name == effect.kind && description.between_bodies;
+    });
   };
   return scene.contact.kind != "penalty" && std::none_of(scene.effects.begin(), scene.effects.end(), between);
 }

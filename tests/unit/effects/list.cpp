@@ -54,6 +54,7 @@ TEST_CASE("Effect list: what an effect offers is found in its code", "[effects]"
     const std::string& name = info.description.name;
     REQUIRE(abilities.count(name) == 1);
     const Abilities& owed = abilities.at(name);
+    CHECK_FALSE(info.description.between_bodies);
     CHECK(info.description.has_energy == owed.energy);
     CHECK((info.energy != nullptr) == owed.energy);
     CHECK(info.description.has_force_derivative == owed.force_derivative);
@@ -78,6 +79,7 @@ TEST_CASE("Effect list: effects between bodies have an energy, no force derivati
     const Abilities& owed = abilities.at(info.description.name);
     CHECK(info.description.has_energy == owed.energy);
     CHECK(info.description.has_force_derivative == owed.force_derivative);
+    CHECK(info.description.between_bodies);
     const std::map<std::string, ballpark::Value> parameters = {{"pairs", std::vector<ballpark::IdPair>{{0, 1}}},
                                                                {"stiffness", std::vector<double>{2.0}},
                                                                {"damping", std::vector<double>{1.0}},
@@ -86,7 +88,7 @@ TEST_CASE("Effect list: effects between bodies have an energy, no force derivati
                                                                {"softening", 0.0}};
     const auto slot_of = [](std::size_t id) { return id; };
     const EffectInput input{parameters, 0, {}};
-    const auto effect = info.make({input, two, slot_of, {}});
+    const auto effect = info.make({input, two, slot_of, {}, {}});
     CHECK((effect->per_mass().spring > 0) == owed.stiffness);
     CHECK(effect->cost().flops > 0);
     CHECK(pair_effects()[static_cast<std::size_t>(pair_effect_index(info.description.name))].make == info.make);

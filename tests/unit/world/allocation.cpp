@@ -66,6 +66,14 @@ TEST_CASE("Allocation: none in a user effect's passes either", "[allocation]") {
   for (const int threads : {1, 2}) CHECK(allocations_of_100_steps(busy(), {.threads = threads}, {wind}) == 0);
 }
 
+TEST_CASE("Allocation: none in forces between bodies", "[allocation]") {
+  const Scene scene =
+      scene_of({particles("p", 300)},
+               {effect("mutual_gravity", {{"softening", 0.1}}),
+                effect("bonds", {{"pairs", std::vector<ballpark::IdPair>{{0, 1}, {1, 299}}}, {"stiffness", 3.0}})});
+  for (const int threads : {1, 2}) CHECK(allocations_of_100_steps(scene, {.threads = threads}) == 0);
+}
+
 TEST_CASE("Allocation: none in steps whose pairs and contacts stay below earlier peaks", "[allocation]") {
   BodyGroup heap = balls("heap", 0);
   heap.position.clear();

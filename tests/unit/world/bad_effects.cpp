@@ -122,6 +122,7 @@ TEST_CASE("Bad effects: pairs of bodies that there are not, and numbers that do 
         "effects[0].stiffness has 2 numbers, expected one, or one for each of the 3 pairs");
   CHECK(message(bonds({{0, 1}, {0, 2}}, std::vector<double>{1, -2})) ==
         "effects[0].stiffness[1] is -2, expected a number >= 0 [N/m]");
+  CHECK(message(bonds({}, 1.0)) == "effects[0].pairs is empty, expected a list of pairs of ids [[a, b], ...]");
   Scene taylor = scene_of(groups, {bonds({{0, 1}}, 1.0)});
   taylor.run.integrator = "taylor2";
   const std::vector<Problem> refused = check(taylor);

@@ -21,20 +21,23 @@ std::string or_none(const std::vector<std::string>& words) {
 }
 
 void add_summary(Page& text, const Explanation& explanation) {
-  text.fields({{"path", Cell(explanation.path, Style::strong)},
-               {"because", explanation.path_reason},
-               {"integrator", fmt::format("{}, {} precision, target {}", explanation.integrator, explanation.precision,
-                                          explanation.target)},
-               {"tasks", fmt::format("{}, blocks of {} bodies",
-                                     counted(static_cast<std::uint64_t>(explanation.threads), "thread", "threads"),
-                                     grouped(explanation.block_length))},
-               {"a body-step", fmt::format("moves {} B, computes {} flops", number(explanation.bytes_per_body_step, 5),
-                                           number(explanation.flops_per_body_step, 4))},
-               {"columns", bytes(static_cast<double>(explanation.column_bytes)) + " allocated"}});
+  std::vector<std::pair<std::string, Cell>> fields{
+      {"path", Cell(explanation.path, Style::strong)},
+      {"because", explanation.path_reason},
+      {"integrator",
+       fmt::format("{}, {} precision, target {}", explanation.integrator, explanation.precision, explanation.target)},
+      {"tasks", fmt::format("{}, blocks of {} bodies",
+                            counted(static_cast<std::uint64_t>(explanation.threads), "thread", "threads"),
+                            grouped(explanation.block_length))},
+      {"a body-step", fmt::format("moves {} B, computes {} flops", number(explanation.bytes_per_body_step, 5),
+                                  number(explanation.flops_per_body_step, 4))},
+      {"columns", bytes(static_cast<double>(explanation.column_bytes)) + " allocated"}};
   for (const StepLimitReport& limit : explanation.step_limits) {
-    text.fields({{"stable to", limit.largest > 0 ? number(limit.largest, 4) + " s (" + limit.of + ")"
-                                                 : "no step: oscillations grow (" + limit.of + ")"}});
+    const bool any = limit.largest > 0;
+    fields.push_back({any ? "stable to" : "stable", any ? number(limit.largest, 4) + " s (" + limit.of + ")"
+                                                        : "at no step: " + limit.of + " swings ever farther"});
   }
+  text.fields(std::move(fields));
 }
 
 void add_groups(Page& text, const Explanation& explanation) {

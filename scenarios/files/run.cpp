@@ -236,7 +236,7 @@ class Run {
           "energy is not finite, although all bodies are: forces or speeds are too large for this precision");
     }
     if (world_.status().code != Status::Code::ok) list.push_back(world_.status().sentence);
-    if (const std::size_t lost = world_.totals().non_finite_bodies; lost > 0) {
+    if (const std::size_t lost = now.non_finite_bodies; lost > 0) {
       list.push_back(fmt::format("{} of {} bodies are not finite; they are left out of energy and momentum", lost,
                                  world_.body_count()));
     }

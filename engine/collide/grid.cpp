@@ -10,15 +10,10 @@ namespace ballpark::BALLPARK_PRECISION {
 
 namespace {
 
-constexpr std::size_t block_length = 4096;  // rows of a task
 /// Cells are this much wider than the largest reach, so that rounding never puts near balls two cells apart.
 constexpr double slack = 1e-5;
 /// More cells than this for each ball would cost more to empty than they save.
 constexpr std::size_t cells_per_ball = 4;
-
-std::size_t blocks_of(std::size_t rows) {
-  return (rows + block_length - 1) / block_length;
-}
 
 }  // namespace
 
@@ -29,22 +24,25 @@ std::uint32_t Grid::Axis::cell(Wide x) const {
   return std::min(static_cast<std::uint32_t>(std::max(u, Wide(0))), cells - 1);
 }
 
-void Grid::find(const Balls& balls, const Period& period, Workers& workers) {
+void Grid::sort(const Balls& balls, const Period& period, Workers& workers) {
   period_ = period;
   margin_ = balls.margin;
   lay_out(balls, measure(balls, workers), period);
   assign(balls, period, workers);
-  sort(balls, workers);
-  const std::size_t blocks = blocks_of(sorted_);
-  found_.resize(std::max(blocks, found_.size()));
-  for (Found& found : found_) found.count = 0;
-  workers.for_each(
-      blocks, [&](std::size_t b) { search(b * block_length, std::min((b + 1) * block_length, sorted_), found_[b]); });
+  sort_rows(balls, workers);
+  found_.resize(std::max(blocks_of(sorted_), found_.size()));
+  for (Found& found : found_) found.count = found.candidates = 0;
 }
 
 std::size_t Grid::pair_count() const {
   std::size_t sum = 0;
   for (const Found& found : found_) sum += found.count;
+  return sum;
+}
+
+std::size_t Grid::candidate_count() const {
+  std::size_t sum = 0;
+  for (const Found& found : found_) sum += found.candidates;
   return sum;
 }
 
@@ -133,7 +131,7 @@ void Grid::assign(const Balls& balls, const Period& period, Workers& workers) {
 }
 
 /// Rows by cell, and by row within a cell. Each chunk of rows counts its own, and then knows where to write.
-void Grid::sort(const Balls& balls, Workers& workers) {
+void Grid::sort_rows(const Balls& balls, Workers& workers) {
   const std::size_t bins = cells_ + 1;
   chunks_ = static_cast<std::size_t>(std::clamp(workers.threads(), 1, 16));
   chunk_ = (balls.count + chunks_ - 1) / chunks_;

@@ -4,6 +4,7 @@
 // chained.)
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,22 +23,38 @@ class Grid {
  public:
   /// Finds each near pair once. Rows whose position is not finite are in none. The set of pairs does not depend on the
   /// order of rows or the number of threads. No memory is allocated below earlier peaks.
-  void find(const Balls& balls, const Period& period, Workers& workers);
+  void find(const Balls& balls, const Period& period, Workers& workers) {
+    sort(balls, period, workers);
+    search(workers, [](std::size_t, const Pair&) { return true; });
+  }
+
+  // Or in two parts, where not every near pair is of use:
+  /// Sorts rows into cells, and says in how many blocks pairs will come.
+  void sort(const Balls& balls, const Period& period, Workers& workers);
+  /// Keeps those near pairs for which keep(block, pair) is true. Blocks run side by side.
+  template <class Keep>
+  void search(Workers& workers, Keep keep) {
+    workers.for_each(found_.size(), [&](std::size_t block) {
+      const std::size_t begin = block * block_length, end = std::min(begin + block_length, sorted_);
+      Found& found = found_[block];
+      for (std::size_t first = begin; first < end; first += strip_length) {  // what is dropped makes room for the next
+        std::size_t kept = found.count;
+        const std::size_t before = kept;
+        search(first, std::min(first + strip_length, end), found);
+        found.candidates += found.count - before;
+        for (std::size_t i = before; i < found.count; ++i) {
+          if (keep(block, found.room[i])) found.room[kept++] = found.room[i];
+        }
+        found.count = kept;
+      }
+    });
+  }
 
   /// The pairs, in blocks: those found from one block of sorted rows.
   std::size_t block_count() const { return found_.size(); }
   std::span<const Pair> pairs(std::size_t block) const { return {found_[block].room.data(), found_[block].count}; }
-  std::size_t pair_count() const;
-  /// Drops those of a block for which keep(pair) is false.
-  template <class Keep>
-  void keep(std::size_t block, Keep keep) {
-    Found& found = found_[block];
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < found.count; ++i) {
-      if (keep(found.room[i])) found.room[kept++] = found.room[i];
-    }
-    found.count = kept;
-  }
+  std::size_t pair_count() const;       ///< kept
+  std::size_t candidate_count() const;  ///< near
 
   /// Rows sorted by cell, those that are not finite last: the order that brings near balls near in memory.
   std::span<const std::uint32_t> order() const { return {row_.data(), key_of_row_.size()}; }
@@ -56,11 +73,14 @@ class Grid {
   };
   struct Found {
     std::vector<Pair> room;
-    std::size_t count = 0;
+    std::size_t count = 0, candidates = 0;
   };
   struct Range {
     std::uint32_t begin, end;  ///< sorted rows
   };
+  static constexpr std::size_t block_length = 4096;  ///< rows of a task
+  static constexpr std::size_t strip_length = 128;
+  static std::size_t blocks_of(std::size_t rows) { return (rows + block_length - 1) / block_length; }
   static constexpr std::uint32_t stride = 3;  ///< columns of sorted rows are this much longer than the rows
   struct Cell {
     std::uint32_t x, y, z;
@@ -70,7 +90,7 @@ class Grid {
   Extent measure(const Balls& balls, Workers& workers);
   void lay_out(const Balls& balls, const Extent& extent, const Period& period);
   void assign(const Balls& balls, const Period& period, Workers& workers);
-  void sort(const Balls& balls, Workers& workers);
+  void sort_rows(const Balls& balls, Workers& workers);
   // pairs.cpp
   void search(std::size_t first, std::size_t last, Found& found) const;
   int ranges(std::uint32_t key, bool& images, Range* list) const;

@@ -9,9 +9,10 @@ namespace ballpark::BALLPARK_PRECISION {
 
 namespace {
 
-constexpr std::size_t block_length = 2048;  // contacts or bodies of a task
-constexpr std::size_t most_fast = 16;       // bodies that are held against every other
-constexpr int most_colours = 63;            // before the one that shares bodies
+constexpr std::size_t block_length = 2048;           // contacts or bodies of a task
+constexpr std::size_t most_fast = 16;                // bodies that are held against every other
+constexpr int most_colours = 63;                     // before the one that shares bodies
+constexpr std::uint32_t shares = ~std::uint32_t(0);  // stands for that one
 
 template <class T>
 std::size_t capacity_bytes(const std::vector<T>& list) {
@@ -62,7 +63,7 @@ void ContactSet::find(const ContactBodies& bodies, const std::vector<Wall>& shap
         {grid_radius_.data() + first, 0},
         bodies.per_copy,
         0};
-    grid_.find(balls, period, workers);
+    grid_.sort(balls, period, workers);
     sift(bodies, first, period, step, margin, workers);
     order(bodies, first, workers);
     if (nearby) nearby->insert(nearby->end(), grid_.order().begin(), grid_.order().end());
@@ -145,18 +146,15 @@ void ContactSet::sift(const ContactBodies& bodies, std::size_t first, const Peri
                       Workers& workers) {
   const auto begin = static_cast<std::uint32_t>(first), end = static_cast<std::uint32_t>(first + bodies.per_copy);
   const std::size_t blocks = grid_.block_count(), list = lists_;
-  candidates += grid_.pair_count() + fast_.size() * bodies.per_copy;
   lists_ += blocks + fast_.size();
   if (watched_.size() < lists_) watched_.resize(lists_);
   if (fast_near_.size() < fast_.size()) fast_near_.resize(fast_.size());
-  workers.for_each(blocks, [&](std::size_t block) {
-    std::vector<WatchedPair>& watched = watched_[list + block];
-    watched.clear();
-    grid_.keep(block, [&](const Pair& pair) {
-      const std::uint32_t a = begin + pair.a, b = begin + pair.b;
-      return !is_fast_[a] && !is_fast_[b] && is_contact(bodies, period, step, margin, {a, b}, watched);
-    });
+  for (std::size_t block = 0; block < blocks; ++block) watched_[list + block].clear();
+  grid_.search(workers, [&](std::size_t block, const Pair& pair) {
+    const std::uint32_t a = begin + pair.a, b = begin + pair.b;
+    return !is_fast_[a] && !is_fast_[b] && is_contact(bodies, period, step, margin, {a, b}, watched_[list + block]);
   });
+  candidates += grid_.candidate_count() + fast_.size() * bodies.per_copy;
   workers.for_each(fast_.size(), [&](std::size_t f) {
     std::vector<WatchedPair>& watched = watched_[list + blocks + f];
     watched.clear();
@@ -219,10 +217,10 @@ void ContactSet::order(const ContactBodies& bodies, std::size_t begin, Workers& 
   first_of_rank[end] = 0;  // to be counted in the next copy
 }
 
-/// Greedy, in the order of ranks: the first colour that neither body has.
+/// Greedy, in the order of ranks: the first colour that neither body has. It stands in `place` until places are known.
 void ContactSet::colour(const ContactBodies& bodies) {
   used_.assign(bodies.count, 0);
-  resize(colour_, other_.size());
+  resize(place, other_.size());
   std::array<std::size_t, most_colours + 2> count{};
   for (std::size_t a = 0; a < bodies.count; ++a) {
     for (std::uint32_t i = first_of_rank[a]; i < first_of_rank[a + 1]; ++i) {
@@ -232,7 +230,7 @@ void ContactSet::colour(const ContactBodies& bodies) {
         used_[a] |= std::uint64_t{1} << c;
         used_[b] |= std::uint64_t{1} << c;
       }
-      colour_[i] = static_cast<std::uint8_t>(c);
+      place[i] = c < most_colours ? static_cast<std::uint32_t>(c) : shares;
       ++count[static_cast<std::size_t>(c) + 1];
     }
   }
@@ -245,18 +243,18 @@ void ContactSet::colour(const ContactBodies& bodies) {
 }
 
 /// Contacts of one colour lie in the order of slots: what is near is near in memory. Only the last colour, whose order
-/// matters, lies in that of ranks. `next`: where the next contact of each colour goes.
+/// matters, lies in that of ranks. `place`: of each pair its colour, then where it goes. `next`: of each colour.
 template <std::size_t n>
 void ContactSet::lay_out(const ContactBodies& bodies, std::array<std::size_t, n>& next) {
-  resize(place, other_.size());
   for (std::size_t slot = 0; slot < bodies.count; ++slot) {
     const std::uint32_t rank = bodies.rank_of(slot);
     for (std::uint32_t i = first_of_rank[rank]; i < first_of_rank[rank + 1]; ++i) {
-      if (colour_[i] < most_colours) place[i] = static_cast<std::uint32_t>(next[colour_[i]]++);
+      if (place[i] != shares) place[i] = static_cast<std::uint32_t>(next[place[i]]++);
     }
   }
-  for (std::size_t i = 0; last_colour_shares && i < other_.size(); ++i) {
-    if (colour_[i] == most_colours) place[i] = static_cast<std::uint32_t>(next[most_colours]++);
+  if (!last_colour_shares) return;
+  for (std::uint32_t& to : place) {
+    if (to == shares) to = static_cast<std::uint32_t>(next[most_colours]++);
   }
 }
 
@@ -276,9 +274,6 @@ void ContactSet::fill(const ContactBodies& bodies, const LawTable& laws, Workers
         contact.a = static_cast<std::uint32_t>(slot);
         contact.b = other;
         contact.friction = laws.of(bodies.material[slot], bodies.material[other]).friction;
-        const Real inverse = bodies.inverse_mass[slot] + bodies.inverse_mass[other];
-        contact.normal_mass = 1 / inverse;
-        contact.tangent_mass = 1 / (inverse + bodies.mobility[slot] + bodies.mobility[other]);
         while (old < old_end && carried_.other[old] < other_[i]) ++old;
         const bool met = old < old_end && carried_.other[old] == other_[i];
         contact.solved = met ? carried_.impulses[old].solved : ContactImpulse{};
@@ -328,8 +323,6 @@ Contact ContactSet::wall_contact(const ContactBodies& bodies, const std::vector<
   contact.a = wall;
   contact.b = slot;
   contact.friction = laws.of(shapes[wall].material, bodies.material[slot]).friction;
-  contact.normal_mass = 1 / bodies.inverse_mass[slot];
-  contact.tangent_mass = 1 / (bodies.inverse_mass[slot] + bodies.mobility[slot]);
   const std::uint32_t rank = bodies.rank_of(slot);
   if (rank + 1 >= carried_walls_.first.size()) return contact;
   for (std::uint32_t old = carried_walls_.first[rank]; old < carried_walls_.first[rank + 1]; ++old) {
@@ -348,8 +341,8 @@ std::size_t ContactSet::bytes() const {
   std::size_t sum = grid_.bytes() + capacity_bytes(pairs) + capacity_bytes(walls) + capacity_bytes(place) +
                     capacity_bytes(first_of_rank) + capacity_bytes(first_wall_of_rank) + capacity_bytes(swept) +
                     capacity_bytes(grid_radius_) + capacity_bytes(fast_) + capacity_bytes(is_fast_) +
-                    capacity_bytes(other_) + capacity_bytes(colour_) + capacity_bytes(used_) + carried_.bytes() +
-                    carried_walls_.bytes();
+                    capacity_bytes(other_) + capacity_bytes(pair_marks) + capacity_bytes(wall_marks) +
+                    capacity_bytes(used_) + carried_.bytes() + carried_walls_.bytes();
   for (const auto& list : fast_near_) sum += capacity_bytes(list);
   for (const auto& list : watched_) sum += capacity_bytes(list);
   for (const auto& list : near_walls_) sum += capacity_bytes(list);

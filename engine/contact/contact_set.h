@@ -18,15 +18,14 @@ struct ContactImpulse {
   Vector3<Real> tangent;
 };
 
-/// One contact, as the solver streams it: two cache lines in double, of which one that bears no load needs the first.
-struct alignas(cache_line_of<Real>) Contact {
+/// One contact, as the solver streams it: 112 bytes in double. Effective masses are not kept: a division is cheaper
+/// than their bytes.
+struct Contact {
   std::uint32_t a = 0, b = 0;  ///< slots, a < b; of a wall's contact, a is the wall
   Vector3<Real> normal;        ///< from a to b
   Real least_speed = 0;        ///< b must leave a at no less, or the gap closes in this substep [m/s]
-  Real normal_mass = 0;        ///< impulse per normal speed [kg]
   Real friction = 0;           ///< mu
-  ContactImpulse solved;       ///< what the gap needed in this substep; its tangent begins the second line
-  Real tangent_mass = 0;       ///< impulse per slip [kg]
+  ContactImpulse solved;       ///< what the gap needed in this substep
   ContactImpulse relaxed;      ///< what velocities needed beyond `solved`
   ContactImpulse sum() const { return {solved.normal + relaxed.normal, solved.tangent + relaxed.tangent}; }
   /// Is there any impulse to go on from?
@@ -112,8 +111,7 @@ class ContactSet {
   std::vector<std::uint32_t> other_;           ///< in the order of ranks: that of b of each pair
   std::vector<Real> wall_ways_;                ///< farthest that each wall may go in the step [m]
   std::vector<std::vector<Pair>> near_walls_;  ///< wall and slot, of each block of slots
-  std::vector<std::uint8_t> colour_;
-  std::vector<std::uint64_t> used_;  ///< colours of each slot
+  std::vector<std::uint64_t> used_;            ///< colours of each slot
   Carried carried_, carried_walls_;
 };
 

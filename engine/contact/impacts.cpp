@@ -155,6 +155,7 @@ bool Impacts::approaches(const Substep& substep, ContactSet& set, Index index, H
   Contact& contact = wall ? set.walls[index - pair_count_] : set.pairs[set.place[index]];
   mark_of(set, index) &= static_cast<std::uint8_t>(~ContactSet::queued);
   const std::uint32_t a = contact.a, b = contact.b;
+  const auto inverse_mass = [&](std::uint32_t slot) { return substep.bodies.inverse_mass[slot]; };
   const auto scale_of = [&](std::uint32_t slot) { return is_touched_[slot] ? Real(scale_[slot]) : Real(0); };
   const Vector3<Real> kick_a = wall ? Vector3<Real>{} : kick_of(a), kick_b = kick_of(b);
   hit.index = index;
@@ -162,7 +163,7 @@ bool Impacts::approaches(const Substep& substep, ContactSet& set, Index index, H
   const Real base = contact.loaded() ? Real(0) : dot(contact.normal, start_over(substep, contact, wall));
   hit.approach = -(base + dot(contact.normal, kick_b - kick_a));
   const Real noticed = std::max(negligible * std::max(wall ? Real(0) : scale_of(a), scale_of(b)),
-                                contact.sum().normal / contact.normal_mass);
+                                contact.sum().normal * (inverse_mass(b) + (wall ? Real(0) : inverse_mass(a))));
   if (hit.moment > 1 || !(hit.approach > noticed)) return false;
   const auto spent = [&](std::uint32_t slot) { return is_touched_[slot] && spent_[slot] >= most_spent; };
   if (!spent(b) && (wall || !spent(a))) return true;
@@ -182,6 +183,10 @@ Impacts::Meeting Impacts::meeting_of(const Substep& substep, const ContactSet& s
   meeting.index = hit.index;
   meeting.contact = &contact;
   meeting.moment = hit.moment;
+  const auto of_a = [&](const std::vector<Real>& values) { return wall ? Real(0) : values[a]; };
+  const Real inverse = of_a(bodies.inverse_mass) + bodies.inverse_mass[b];
+  meeting.normal_mass = 1 / inverse;
+  meeting.tangent_mass = 1 / (inverse + of_a(bodies.mobility) + bodies.mobility[b]);
   meeting.drift = start_over(substep, contact, wall);
   meeting.base = contact.loaded() ? Real(0) : dot(contact.normal, meeting.drift);
   meeting.wanted = hit.approach > substep.restitution_threshold ? law.restitution * hit.approach : Real(0);
@@ -276,8 +281,8 @@ Real Impacts::update(Meeting& m) {
   Mover* a = wall ? nullptr : &(*movers_)[c.a];
   const Vector3<Real> kicks = wall ? b.velocity : b.velocity - a->velocity;
   const Real speed = m.base + dot(c.normal, kicks);
-  const Real impulse = std::max(Real(0), m.impulse + c.normal_mass * (m.wanted - speed));
-  const Real error = std::abs(impulse - m.impulse) / c.normal_mass;
+  const Real impulse = std::max(Real(0), m.impulse + m.normal_mass * (m.wanted - speed));
+  const Real error = std::abs(impulse - m.impulse) / m.normal_mass;
   Vector3<Real> push = (impulse - m.impulse) * c.normal;
   m.impulse = impulse;
   if (bodies_->spins) {
@@ -285,7 +290,7 @@ Real Impacts::update(Meeting& m) {
     if (!wall) spins += a->surface;
     const Vector3<Real> over = m.drift + kicks;
     const Vector3<Real> slip = over - dot(c.normal, over) * c.normal - cross(spins, c.normal);
-    const Vector3<Real> tangent = within_cone(m.tangent - c.tangent_mass * slip, c.friction * impulse);
+    const Vector3<Real> tangent = within_cone(m.tangent - m.tangent_mass * slip, c.friction * impulse);
     const Vector3<Real> change = tangent - m.tangent, turned = cross(c.normal, change);
     m.tangent = tangent;
     push += change;

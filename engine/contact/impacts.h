@@ -49,10 +49,11 @@ class Impacts {
   struct Meeting {
     Index index;
     const Contact* contact;
-    Real base;         ///< normal speed but for the kicks; a loaded contact is held: 0
-    Real moment;       ///< at which they meet, as a share of the substep
-    Real wanted;       ///< speed at which the sides part: e times that at which they met
-    Real impulse = 0;  ///< of this round
+    Real normal_mass, tangent_mass;  ///< impulse per speed [kg]
+    Real base;                       ///< normal speed but for the kicks; a loaded contact is held: 0
+    Real moment;                     ///< at which they meet, as a share of the substep
+    Real wanted;                     ///< speed at which the sides part: e times that at which they met
+    Real impulse = 0;                ///< of this round
     Vector3<Real> tangent;
     Vector3<Real> drift;  ///< slip but for the kicks
     std::uint32_t set = 0;

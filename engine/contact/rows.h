@@ -28,7 +28,7 @@ inline Vector3<Real> within_cone(const Vector3<Real>& tangent, Real most) {
 struct WallSide {
   Vector3<Real> velocity;
   Vector3<Real> surface;
-  static constexpr Real inverse_mass = 0;
+  static constexpr Real inverse_mass = 0, mobility = 0;
   void push(const Vector3<Real>&) const {}
   void twist(const Vector3<Real>&) const {}
 };
@@ -54,20 +54,22 @@ template <bool friction, class Side>
 inline Real update(const Contact& c, Real least, const ContactImpulse& held, ContactImpulse& now, Side& a, Mover& b) {
   const Vector3<Real> over = b.velocity - a.velocity;
   const Real speed = dot(c.normal, over);
-  Real normal = now.normal + c.normal_mass * (least - speed);
+  const Real inverse_mass = a.inverse_mass + b.inverse_mass;
+  Real normal = now.normal + 1 / inverse_mass * (least - speed);
   if (normal < -held.normal) normal = -held.normal;
   if (held.normal + normal == 0 && held.normal + now.normal == 0) return 0;  // apart, and so it was
   ContactImpulse change{normal - now.normal, {}};
   now.normal = normal;
   if constexpr (friction) {
     const Vector3<Real> slip = over - speed * c.normal - cross(a.surface + b.surface, c.normal);
-    const Vector3<Real> wanted = held.tangent + now.tangent - c.tangent_mass * slip;
+    const Real mass = 1 / (inverse_mass + a.mobility + b.mobility);
+    const Vector3<Real> wanted = held.tangent + now.tangent - mass * slip;
     const Vector3<Real> tangent = within_cone(wanted, c.friction * (held.normal + normal)) - held.tangent;
     change.tangent = tangent - now.tangent;
     now.tangent = tangent;
   }
   apply<friction>(change, c.normal, a, b);
-  const Real error = change.normal * (a.inverse_mass + b.inverse_mass);
+  const Real error = change.normal * inverse_mass;
   return error < 0 ? -error : error;
 }
 

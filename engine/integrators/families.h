@@ -153,9 +153,9 @@ struct Taylor {
 };
 
 /// Kicks change momenta (velocity, L) by the forces, drifts change positions (x, q) by the momenta:
-/// kick_0, drift_0, kick_1, drift_1, ...  (Hairer, Lubich & Wanner, Geometric Numerical Integration, II.5.)
-/// Forces that read velocity see it predicted to the end of the kick by the one before, which keeps velocity Verlet at
-/// second order.
+/// (lead drift), kick_0, drift_0, kick_1, drift_1, ...  (Hairer, Lubich & Wanner, Geometric Numerical Integration,
+/// II.5.) Forces that read velocity see it predicted to the end of the kick by the one before, which keeps velocity
+/// Verlet at second order.
 struct Splitting {
   using Staged = Splitting;
   static constexpr bool prepare_moves = true;
@@ -163,7 +163,11 @@ struct Splitting {
   template <class S, class Constants, class Rates, class V>
   BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants& c, S& state, const Rates& k,
                                       V* trial) {
-    if (phase > 0) apply(m, phase - 1, c, k, state);
+    if (phase > 0) {
+      apply(m, phase - 1, c, k, state);
+    } else if (m.lead != 0) {
+      drift(c, m.lead, state);
+    }
     copy<S::size>(state.y, trial);
     for (int i = S::Motion::momenta_begin; phase > 0 && i < S::Motion::momenta_end; ++i) {
       trial[i] += V(m.kick[phase]) * k(phase - 1, i);

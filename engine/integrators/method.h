@@ -11,7 +11,7 @@ namespace ballpark::BALLPARK_PRECISION {
 
 enum class Family { explicit_runge_kutta, chained_runge_kutta, taylor, splitting };
 inline constexpr int family_count = 4;
-inline constexpr int max_phases = 4;
+inline constexpr int max_phases = 13;
 
 /// A row scaled by the step: all that kernels read of a method.
 struct Method {
@@ -22,6 +22,7 @@ struct Method {
   Real half_square = 0;                 ///< h^2 / 2
   Real a[max_phases][max_phases] = {};  ///< Runge-Kutta: h a_ij
   Real b[max_phases] = {};              ///< Runge-Kutta: h b_i
+  Real lead = 0;                        ///< splitting: h times the drift before the first kick
   Real kick[max_phases] = {};           ///< splitting: h times the i-th coefficient
   Real drift[max_phases] = {};
 };

@@ -3,64 +3,11 @@
 namespace ballpark::BALLPARK_PRECISION {
 
 const std::vector<Row>& rows() {
-  constexpr auto runge_kutta = Family::explicit_runge_kutta;
-  static const std::vector<Row> all = {
-      {.name = "euler",
-       .doc = "explicit Euler: one evaluation; gains energy on every oscillation",
-       .source = "Euler 1768",
-       .family = runge_kutta,
-       .order = 1,
-       .phases = 1,
-       .b = {1}},
-      {.name = "midpoint",
-       .doc = "explicit midpoint rule, second-order Runge-Kutta",
-       .source = "Runge 1895",
-       .family = runge_kutta,
-       .order = 2,
-       .phases = 2,
-       .a = {{}, {0.5}},
-       .b = {0, 1}},
-      {.name = "heun",
-       .doc = "Heun's method, the explicit trapezoidal rule",
-       .source = "Heun 1900",
-       .family = runge_kutta,
-       .order = 2,
-       .phases = 2,
-       .a = {{}, {1}},
-       .b = {0.5, 0.5}},
-      {.name = "rk4",
-       .doc = "classic fourth-order Runge-Kutta",
-       .source = "Kutta 1901",
-       .family = runge_kutta,
-       .order = 4,
-       .phases = 4,
-       .a = {{}, {0.5}, {0, 0.5}, {0, 0, 1}},
-       .b = {1.0L / 6, 1.0L / 3, 1.0L / 3, 1.0L / 6}},
-      {.name = "taylor2",
-       .doc = "second-order Taylor series; needs the time derivative of every force",
-       .source = "Hairer, Norsett & Wanner, Solving ODEs I, I.8",
-       .family = Family::taylor,
-       .order = 2,
-       .phases = 1},
-      {.name = "semi_implicit_euler",
-       .doc = "symplectic Euler: velocity first, then position with the new velocity",
-       .source = "de Vogelaere 1956",
-       .family = Family::splitting,
-       .order = 1,
-       .phases = 1,
-       .symplectic = true,
-       .kick = {1},
-       .drift = {1}},
-      {.name = "velocity_verlet",
-       .doc = "half kick, drift, half kick: time-reversible, energy error bounded",
-       .source = "Swope, Andersen, Berens & Wilson 1982, J. Chem. Phys. 76, 637",
-       .family = Family::splitting,
-       .order = 2,
-       .phases = 2,
-       .symplectic = true,
-       .kick = {0.5, 0.5},
-       .drift = {1, 0}},
-  };
+  static const std::vector<Row> all = [] {
+    std::vector<Row> list = runge_kutta_rows();
+    for (const Row& row : splitting_rows()) list.push_back(row);
+    return list;
+  }();
   return all;
 }
 
@@ -106,7 +53,8 @@ Method method_for(const Row& row, double step) {
   m.phases = row.phases;
   m.step = h;
   m.half_square = h * h / 2;
-  long double drifted = 0;
+  m.lead = h * static_cast<Real>(row.lead);
+  long double drifted = row.lead;
   for (int i = 0; i < row.phases; ++i) {
     long double c = drifted;
     for (int j = 0; j < i; ++j) {

@@ -1,4 +1,5 @@
-// The methods, as data. To add one: a row here; tests loop over all rows (order, stability, exact discrete behaviour).
+// The methods, as data. To add one: a row in the file of its family; tests loop over all rows (order conditions, slope,
+// stability, exact discrete behaviour).
 #pragma once
 
 #include <string>
@@ -10,15 +11,16 @@
 namespace ballpark::BALLPARK_PRECISION {
 
 struct Row {
-  const char* name;
-  const char* doc;
-  const char* source;
-  Family family;
-  int order;
-  int phases;
+  const char* name = nullptr;
+  const char* doc = nullptr;
+  const char* source = nullptr;
+  Family family = Family::explicit_runge_kutta;
+  int order = 1;
+  int phases = 1;
   bool symplectic = false;
   long double a[max_phases][max_phases] = {};  ///< Runge-Kutta: Butcher's a_ij
   long double b[max_phases] = {};              ///< Runge-Kutta: weights
+  long double lead = 0;                        ///< splitting: drift before the first kick
   long double kick[max_phases] = {};           ///< splitting
   long double drift[max_phases] = {};
 };
@@ -27,6 +29,10 @@ const std::vector<Row>& rows();
 /// nullptr if there is none of that name.
 const Row* find_row(std::string_view name);
 const char* name(Family family);
+
+// Each family's, in the order of the catalogue.
+std::vector<Row> runge_kutta_rows();
+std::vector<Row> splitting_rows();
 
 /// The row's coefficients times the step h [s].
 Method method_for(const Row& row, double h);

@@ -105,6 +105,11 @@ void Builder::check_options() {
     if (!callable || std::is_same_v<Real, long double>) {
       refuse("user effects", "\"" + user.name + "\" has no function for this precision");
     }
+    const auto row = std::find_if(integrators().begin(), integrators().end(),
+                                  [&](const auto& known) { return known.name == scene_.run.integrator; });
+    if (user.reads_velocity && row != integrators().end() && blind(*row)) {
+      refuse("run.integrator", needs_blind_forces(*row, "user effect \"" + user.name + "\""));
+    }
     if (scene_.run.integrator == "taylor2") {
       refuse("run.integrator", "taylor2 needs the time derivative of every force, which user effect \"" + user.name +
                                    "\" cannot give; expected another integrator, e.g. midpoint");

@@ -72,9 +72,6 @@ void check_run(const RunSettings& run, Problems& problems) {
     problems.add("run.step", fmt::format("is {} s: a duration of {} s would need more than 1e15 steps", text(run.step),
                                          text(run.duration)));
   }
-  std::vector<std::string> names;
-  for (const IntegratorDescription& row : integrators()) names.push_back(row.name);
-  problems.known("run.integrator", "integrator", run.integrator, names);
   problems.known("run.rotation", "rotation update", run.rotation, {"renormalise"});
   for (std::size_t i = 0; i < run.accept.size(); ++i) {
     problems.known(path_of("run.accept", i), "limit", run.accept[i], {"stability"});
@@ -113,6 +110,7 @@ void check_impulses(const Scene& scene, Problems& problems) {
 std::vector<Problem> check(const Scene& scene) {
   Problems problems(scene.run.precision);
   check_run(scene.run, problems);
+  check_integrator(scene, problems);
   check_bodies(scene, problems);
   check_effects(scene, problems);
   check_contacts(scene, problems);

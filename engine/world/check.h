@@ -51,6 +51,10 @@ Vector3d inertia_of(const BodyGroup& group, std::size_t body);
 std::map<std::string, Value> complete_parameters(const Effect& effect, const EffectDescription& description);
 const EffectDescription* find_effect(const std::string& kind);
 
+void check_integrator(const Scene& scene, Problems& problems);
+/// Does the method lose its order where a force reads velocity, and how that is said.
+bool blind(const IntegratorDescription& row);
+std::string needs_blind_forces(const IntegratorDescription& row, const std::string& reader);
 void check_bodies(const Scene& scene, Problems& problems);
 void check_effects(const Scene& scene, Problems& problems);
 void check_contacts(const Scene& scene, Problems& problems);

@@ -180,11 +180,6 @@ struct ContactCheck {
       problems.positive("contact.stiffness", contact.stiffness, "N/m");
     }
     problems.positive("contact.tangential_stiffness", contact.tangential_stiffness, "1");
-    if (scene.run.integrator == "taylor2") {
-      problems.add("run.integrator",
-                   "taylor2 needs the time derivative of every force, which penalty contacts do not give; expected "
-                   "another integrator, e.g. midpoint");
-    }
     const double least = contact.pull ? 0 : least_restitution;
     const std::vector<std::string> names = materials_in_use(scene);
     for (std::size_t i = 0; i < names.size(); ++i) {

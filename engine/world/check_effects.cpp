@@ -60,7 +60,6 @@ struct EffectCheck {
     if (!problems.known(path("kind"), "effect", effect.kind, kinds)) return;
     const EffectDescription& description = *find_effect(effect.kind);
     check_groups();
-    check_derivative(description);
     bool sound = true;
     std::vector<std::string> names;
     for (const ParameterInfo& info : description.parameters) {
@@ -69,13 +68,6 @@ struct EffectCheck {
     }
     for (const auto& [key, value] : effect.parameters) problems.known(path(key), "parameter", key, names);
     if (sound) check_meaning(description);
-  }
-
-  /// Taylor methods differentiate every force.
-  void check_derivative(const EffectDescription& description) {
-    if (scene.run.integrator != "taylor2" || description.has_force_derivative) return;
-    problems.add("run.integrator", "taylor2 needs the time derivative of every force, which " + description.name +
-                                       " does not give; expected another integrator, e.g. midpoint");
   }
 
   void check_groups() {

@@ -185,7 +185,7 @@ void PenaltyStep::drift(const std::vector<Group>& groups, Real h, Workers& worke
 void PenaltyStep::add_forces(const std::vector<Group>& groups, const Method& method, int phase, double time,
                              Workers& workers) {
   const bool splits = method.family == Family::splitting;
-  if (splits && phase > 0) drift(groups, method.drift[phase - 1], workers);
+  if (splits) drift(groups, phase > 0 ? method.drift[phase - 1] : method.lead, workers);
   read_state(groups, &StepGroup::trial, workers);
   const std::size_t before = splits ? 0 : static_cast<std::size_t>(phase);
   penalty.find_forces({method.a[phase], before}, phase == 0, time, workers);

@@ -45,7 +45,7 @@ struct IntegratorDescription {
   int order = 0;
   int evaluations = 0;         ///< of all forces, per step
   bool symplectic = false;     ///< for forces that do not read velocity
-  double real_limit = 0;       ///< stability: h |lambda| for y' = lambda y, lambda < 0
+  double real_limit = 0;       ///< stability: h |lambda| for y' = lambda y, lambda < 0; 0: takes no such force
   double imaginary_limit = 0;  ///< stability: h omega for x'' = -omega^2 x; 0: always grows
 };
 

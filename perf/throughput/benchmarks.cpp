@@ -63,6 +63,7 @@ Comparison methods(const Settings& settings) {
       "read that its write causes is not counted, in-place steps cause none.";
   c.subjects = {hand_written_subject("hand-written rk4", start), touch_subject("touch", start)};
   for (const IntegratorDescription& row : integrators()) {
+    if (!check(falling_particles(1, row.name)).empty()) continue;  // refuses forces that read velocity
     c.subjects.push_back(world_subject(row.name, falling_particles(settings.bodies, row.name), on_threads(1)));
   }
   c.subjects.push_back(world_subject("rk4 again", scene, on_threads(1)));

@@ -98,10 +98,6 @@ Description describe_effect(const EffectDescription& effect) {
   return {text, json};
 }
 
-std::string limit(double value, const std::string& none) {
-  return value == 0 ? none : number(value);
-}
-
 Description describe_integrator(const IntegratorDescription& row) {
   Page text = titled(row.name, "an integrator", row.doc);
   text.heading("Properties");
@@ -110,8 +106,9 @@ Description describe_integrator(const IntegratorDescription& row) {
                {"cost", counted(static_cast<std::uint64_t>(row.evaluations), "evaluation", "evaluations") +
                             " of all forces per step"},
                {"symplectic", row.symplectic ? "yes, for forces that do not read velocity" : "no"},
-               {"stable, decay",
-                "step * |lambda| up to " + limit(row.real_limit, "0 (never)") + " for y' = lambda y, lambda < 0"},
+               {"stable, decay", row.real_limit == 0 ? "not for forces that read velocity: refused"
+                                                     : "step * |lambda| up to " + number(row.real_limit) +
+                                                           " for y' = lambda y, lambda < 0"},
                {"stable, oscillation", row.imaginary_limit == 0 ? "never: an undamped oscillation always grows"
                                                                 : "step * omega up to " + number(row.imaginary_limit) +
                                                                       " for x'' = -omega^2 x"},

@@ -43,7 +43,7 @@ class Usage(CommandTest):
         self.refused("run", self.scene, "--path", "fuse", says="did you mean 'fused'")
         self.refused("list", "effect", says="did you mean 'effects'")
         self.refused("describe", "gravty", says="did you mean 'gravity'")
-        self.refused("run", self.scene, "--set", "run.integrator=rk5", says=["--set", "rk4"])
+        self.refused("run", self.scene, "--set", "run.integrator=rk44", says=["--set", "rk4"])
         self.refused("run", self.scene, "--set", "run.step", says="key=value")
         for target in self.json("list", "targets"):
             if not target["available"]:

@@ -9,6 +9,7 @@
 
 #include "ballpark/catalogue.h"
 #include "ballpark/scenes.h"
+#include "tests/integrators.h"
 
 namespace scenarios {
 
@@ -93,9 +94,7 @@ inline bool is_local(const Scene& scene) {
 
 inline std::vector<std::string> integrators_for(const Scene& scene) {
   std::vector<std::string> names;
-  for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
-    if (integrator.name != "taylor2" || is_local(scene)) names.push_back(integrator.name);
-  }
+  for (const auto& integrator : ballpark::tests::integrators_for(scene)) names.push_back(integrator.name);
   return names;
 }
 

@@ -1,6 +1,7 @@
 // A run that goes back to a snapshot repeats itself, bit by bit.
 #include "tests/catch.h"
 #include "tests/determinism/scenarios.h"
+#include "tests/integrators.h"
 #include "tests/unit/world/made_scenes.h"
 
 using namespace made_scenes;
@@ -62,8 +63,7 @@ void check_return(const Scene& scene, const Options& options, std::uint64_t at) 
 TEST_CASE("Snapshots: a restored run repeats itself across impulses and windows", "[bits]") {
   for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
     for (const bool compensated : {false, true}) {
-      Scene scene = eventful();
-      scene.run.integrator = integrator.name;
+      Scene scene = ballpark::tests::run_by(eventful(), integrator.name);
       scene.run.compensated = compensated;
       for (const std::uint64_t at : {0u, 2u, 3u, 4u, 5u, 6u, 10u, 11u, 17u}) {
         check_return(scene, {.threads = 1}, at);

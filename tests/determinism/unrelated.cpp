@@ -1,6 +1,7 @@
 // What has nothing to do with a body changes none of its bits.
 #include "tests/catch.h"
 #include "tests/determinism/body_bits.h"
+#include "tests/integrators.h"
 #include "tests/unit/world/made_scenes.h"
 
 using namespace made_scenes;
@@ -24,14 +25,15 @@ std::vector<Effect> plain_effects() {
 
 TEST_CASE("Unrelated: more bodies and groups change no bit of the others", "[bits]") {
   for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
-    Scene few = scene_of({particles("p", 3), bricks("b", 5)}, plain_effects());
-    few.run.integrator = integrator.name;
+    Scene few =
+        ballpark::tests::run_by(scene_of({particles("p", 3), bricks("b", 5)}, plain_effects()), integrator.name);
     const World alone = stepped(few);
     Scene many = few;
     many.bodies.insert(many.bodies.begin(), particles("far", 1000));
     many.bodies.insert(many.bodies.begin() + 2, spinning(balls("s", 33)));
     many.bodies.push_back(bricks("more", 17));
     many.effects.push_back(effect("magnus", {{"coefficient", 0.3}}, {"s"}));
+    many = ballpark::tests::run_by(many, integrator.name);
     const World crowd = stepped(many, {.threads = 2});
     CAPTURE(integrator.name);
     CHECK((body_bits::of(crowd, 1000, 3) == body_bits::of(alone, 0, 3)));

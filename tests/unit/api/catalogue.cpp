@@ -1,11 +1,23 @@
 // The catalogue is what worlds accept: every name in it works, and lists describe themselves.
 #include "ballpark/catalogue.h"
 
+#include <algorithm>
+
 #include "tests/catch.h"
 #include "tests/unit/world/made_scenes.h"
 
 using namespace made_scenes;
 using ballpark::World;
+
+namespace {
+
+/// Has it a damper, which sample() leaves at 0?
+bool damps(const ballpark::EffectDescription& description) {
+  return std::any_of(description.parameters.begin(), description.parameters.end(),
+                     [](const ballpark::ParameterInfo& parameter) { return parameter.name == "damping"; });
+}
+
+}  // namespace
 
 TEST_CASE("Catalogue: every effect and integrator runs", "[api]") {
   for (const ballpark::EffectDescription& description : ballpark::effects()) {
@@ -13,8 +25,11 @@ TEST_CASE("Catalogue: every effect and integrator runs", "[api]") {
       Scene scene = scene_of({bricks("b", 3)}, {sample(description)});
       scene.run.integrator = integrator.name;
       const bool differentiated = integrator.name != "taylor2" || description.has_force_derivative;
-      CHECK(check(scene).empty() == differentiated);
-      if (!differentiated) continue;
+      const bool blind = integrator.family == "splitting" && integrator.order > 2;
+      const bool reads = contains(description.reads, "velocity") && !damps(description) && description.name != "pivot";
+      const bool accepted = differentiated && !(blind && reads);
+      CHECK(check(scene).empty() == accepted);
+      if (!accepted) continue;
       World with(scene);
       scene.effects.clear();
       World without(scene);

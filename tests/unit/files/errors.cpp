@@ -103,7 +103,7 @@ TEST_CASE("Scene files: values of another type say what was expected", "[files]"
 
 TEST_CASE("Scene files: words are among the known ones", "[files]") {
   require_each({
-      {"integrator", "[run]\nduration = 1\nstep = 1\nintegrator = \"rk5\"\n", 4, 14, "run.integrator", "\"rk4\"?"},
+      {"integrator", "[run]\nduration = 1\nstep = 1\nintegrator = \"rk44\"\n", 4, 14, "run.integrator", "\"rk4\"?"},
       {"rotation", "[run]\nduration = 1\nstep = 1\nrotation = \"renormalize\"\n", 4, 12, "run.rotation",
        "\"renormalise\"?"},
       {"accept", "[run]\nduration = 1\nstep = 1\naccept = [\"stabilty\"]\n", 4, 11, "run.accept", "\"stability\"?"},

@@ -1,5 +1,6 @@
 // A step, once warm, asks for no heap memory.
 #include "tests/catch.h"
+#include "tests/integrators.h"
 #include "tests/unit/world/allocation_counter.h"
 #include "tests/unit/world/made_scenes.h"
 
@@ -48,8 +49,7 @@ TEST_CASE("Allocation: the counter counts", "[allocation]") {
 
 TEST_CASE("Allocation: none in 100 steps, on both paths, with one thread and with two threads", "[allocation]") {
   for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
-    Scene scene = busy();
-    scene.run.integrator = integrator.name;
+    const Scene scene = ballpark::tests::run_by(busy(), integrator.name);
     for (const int threads : {1, 2}) {
       for (const Path path : {Path::fused, Path::staged}) {
         CAPTURE(integrator.name, threads, path == Path::staged);

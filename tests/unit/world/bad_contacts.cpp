@@ -113,6 +113,12 @@ TEST_CASE("Bad contacts: penalty asks for its own settings, and no others", "[wo
   check_one(with([](Scene& s) { s.contact.restitution_threshold = 1; }), "contact.restitution_threshold",
             "does not have");
   check_one(with([](Scene& s) { s.run.integrator = "taylor2"; }), "run.integrator", "penalty contacts do not give");
+  CHECK(ballpark::check(with([](Scene& s) { s.run.integrator = "pefrl"; })).empty());  // elastic, without friction
+  check_one(with([](Scene& s) {
+              s.run.integrator = "pefrl";
+              s.materials["steel"].restitution = 0.9, s.bodies[0].material = "steel";
+            }),
+            "run.integrator", "a penalty contact with restitution");
   check_one(with([](Scene& s) { s.materials["steel"].restitution = 0.001, s.bodies[0].material = "steel"; }),
             "contact.kind", "restitution 0.001 of steel on steel is less than 0.0025");
   CHECK(ballpark::check(with([](Scene& s) {

@@ -130,6 +130,29 @@ TEST_CASE("Bad effects: pairs of bodies that there are not, and numbers that do 
   CHECK(contains(refused[0].message, "needs the time derivative of every force, which bonds does not give"));
 }
 
+TEST_CASE("Bad effects: a splitting of order above 2 refuses forces that read velocity, and only those", "[check]") {
+  const auto problems = [](const std::string& integrator, const Effect& force) {
+    Scene scene = scene_of({particles("p", 2)}, {effect("gravity"), force});
+    scene.run.integrator = integrator;
+    return check(scene);
+  };
+  const auto spring = [](double damping) {
+    return effect("spring", {{"anchor", Vector3d(1, 1, 1)}, {"stiffness", 3.0}, {"damping", damping}});
+  };
+  const Effect drag = effect("linear_drag", {{"coefficient", 0.2}});
+  for (const char* splitting : {"ruth3", "forest_ruth", "yoshida4", "pefrl", "yoshida6"}) {
+    CAPTURE(splitting);
+    CHECK(problems(splitting, spring(0)).empty());
+    for (const Effect& reader : {drag, spring(0.1)}) {
+      const std::vector<Problem> found = problems(splitting, reader);
+      REQUIRE(found.size() == 1);
+      CHECK(found[0].path == "run.integrator");
+      CHECK(contains(found[0].message, reader.kind + " reads it; expected another integrator"));
+    }
+  }
+  for (const char* taken : {"velocity_verlet", "semi_implicit_euler", "rk4"}) CHECK(problems(taken, drag).empty());
+}
+
 TEST_CASE("Bad effects: a particle at its own pivot has no inertia about it", "[check]") {
   BodyGroup group = particles("p", 2);
   const auto problem = [&](const Value& point) {
@@ -179,6 +202,10 @@ TEST_CASE("Bad user effects: no function for the precision, a path or method tha
   scene.run.integrator = "taylor2";
   CHECK(first({}).path == "run.integrator");
   CHECK(contains(first({}).message, "user effect \"wind\" cannot give"));
+  scene.run.integrator = "pefrl";
+  CHECK(contains(first({}).message, "but user effect \"wind\" reads it"));
+  user.reads_velocity = false;
+  CHECK(first({}).path.empty());
   scene.run.integrator = "rk4";
   user.groups = {"q"};
   CHECK(contains(first({}).message, "unknown group \"q\""));

@@ -58,8 +58,8 @@ TEST_CASE("Bad scenes: run settings", "[check]") {
                {"run.step", "is -0.1", [](Scene& s) { s.run.step = -0.1; }},
                {"run.step", "is nan", [](Scene& s) { s.run.step = not_a_number; }},
                {"run.step", "more than 1e15 steps", [](Scene& s) { s.run.step = 1e-300; }},
-               {"run.integrator", "unknown integrator \"rk5\"; did you mean \"rk4\"?",
-                [](Scene& s) { s.run.integrator = "rk5"; }},
+               {"run.integrator", "unknown integrator \"rk44\"; did you mean \"rk4\"?",
+                [](Scene& s) { s.run.integrator = "rk44"; }},
                {"run.integrator", "expected one of euler", [](Scene& s) { s.run.integrator = ""; }},
                {"run.rotation", "\"renormalise\"?", [](Scene& s) { s.run.rotation = "renormalize"; }},
                {"run.accept[0]", "\"stability\"?", [](Scene& s) { s.run.accept = {"stabilty"}; }}});

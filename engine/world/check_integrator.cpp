@@ -1,0 +1,89 @@
+// What an integrator asks of the forces that it is to follow.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/core/nearest.h"
+#include "engine/world/check.h"
+
+namespace ballpark {
+
+namespace {
+
+const IntegratorDescription* find_integrator(const std::string& name) {
+  for (const IntegratorDescription& row : integrators()) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Does the force change with velocity? A damper of strength 0 does not.
+bool reads_velocity(const Effect& effect, const EffectDescription& description) {
+  if (!contains(description.reads, "velocity") && !contains(description.reads, "spin")) return false;
+  if (description.name == "pivot") return false;  // turns by its own momentum
+  const auto damping = effect.parameters.find("damping");
+  const bool damper = std::any_of(description.parameters.begin(), description.parameters.end(),
+                                  [](const ParameterInfo& info) { return info.name == "damping"; });
+  if (!damper) return true;
+  if (damping == effect.parameters.end()) return false;
+  if (const auto* one = std::get_if<double>(&damping->second)) return *one != 0;
+  const auto* list = std::get_if<std::vector<double>>(&damping->second);
+  return list && std::any_of(list->begin(), list->end(), [](double c) { return c != 0; });
+}
+
+/// Do penalty contacts lose energy?
+bool contacts_read_velocity(const Scene& scene) {
+  const std::vector<std::string> names = materials_in_use(scene);
+  for (const std::string& a : names) {
+    for (const std::string& b : names) {
+      const Material law = law_between(scene, a, b);
+      if (law.restitution < 1 || law.friction > 0) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string needs_blind_forces(const IntegratorDescription& row, const std::string& reader) {
+  return fmt::format(
+      "{} is of order {} for forces that do not read velocity, but {} reads it; expected another "
+      "integrator, e.g. velocity_verlet or rk4",
+      row.name, row.order, reader);
+}
+
+void check_integrator(const Scene& scene, Problems& problems) {
+  std::vector<std::string> names;
+  for (const IntegratorDescription& row : integrators()) names.push_back(row.name);
+  if (!problems.known("run.integrator", "integrator", scene.run.integrator, names)) return;
+  const IntegratorDescription& row = *find_integrator(scene.run.integrator);
+  const bool penalty = scene.contact.kind == "penalty" && touches(scene);
+  const auto refuse = [&](const std::string& message) { problems.add("run.integrator", message); };
+  for (const Effect& effect : scene.effects) {
+    const EffectDescription* description = find_effect(effect.kind);
+    if (!description) continue;  // a problem of its own
+    if (row.family == "Taylor" && !description->has_force_derivative) {
+      refuse("taylor2 needs the time derivative of every force, which " + effect.kind +
+             " does not give; expected another integrator, e.g. midpoint");
+    }
+    if (blind(row) && reads_velocity(effect, *description)) refuse(needs_blind_forces(row, effect.kind));
+  }
+  if (row.family == "Taylor" && scene.contact.kind == "penalty") {
+    refuse(
+        "taylor2 needs the time derivative of every force, which penalty contacts do not give; expected another "
+        "integrator, e.g. midpoint");
+  }
+  if (blind(row) && penalty && contacts_read_velocity(scene)) {
+    refuse(needs_blind_forces(row, "a penalty contact with restitution below 1 or friction"));
+  }
+}
+
+bool blind(const IntegratorDescription& row) {
+  return row.family == "splitting" && row.order > 2;
+}
+
+}  // namespace ballpark

@@ -1,8 +1,6 @@
 // The facade: picks the precision at run time and speaks double.
 #include "ballpark/world.h"
 
-#include <cmath>
-
 #include "engine/world/interface.h"
 
 namespace ballpark {
@@ -49,6 +47,8 @@ const char* name(Status::Code code) {
       return "ok";
     case Status::Code::stability:
       return "stability";
+    case Status::Code::accuracy:
+      return "accuracy";
     case Status::Code::non_finite:
       return "non_finite";
   }
@@ -65,11 +65,8 @@ void World::step(std::uint64_t n) {
   world_->step(n);
 }
 
-void World::advance_to(double t) {
-  const double h = world_->step_size();
-  const double steps = std::floor(t / h + 1e-9);
-  const auto done = static_cast<double>(world_->counters().steps);
-  if (steps > done) world_->step(static_cast<std::uint64_t>(steps - done));
+void World::advance_to(double t, std::uint64_t most_steps) {
+  world_->advance_to(t, most_steps);
 }
 
 double World::time() const {

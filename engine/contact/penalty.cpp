@@ -35,10 +35,17 @@ void Penalty::begin(double time, Real h, Workers& workers) {
       part.stepped += !alone && h * length(bodies.velocity.at(i)) > bodies.radius[i];
     }
   });
+  if (returns) {
+    for (Contacts* contacts : {&pairs_, &walls_}) contacts->before = contacts->slid;
+  }
   for (const Part& part : parts_) counters_.stepped += part.stepped;
   const std::uint64_t neighbours = pairs_.size() + walls_.size();
   counters_.pairs += neighbours;
   counters_.peak_pairs = std::max(counters_.peak_pairs, neighbours);
+}
+
+void Penalty::take_back() {
+  for (Contacts* contacts : {&pairs_, &walls_}) contacts->slid = contacts->before;
 }
 
 void Penalty::set_moments(double time) {

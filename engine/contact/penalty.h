@@ -42,6 +42,9 @@ class Penalty : public ContactScene {
   Bound stiffest_pair() const;
   /// Neighbours for a step of length h, from the bodies at its start.
   void begin(double time, Real h, Workers& workers);
+  /// The step is not taken: tangential springs are as begin() found them.
+  void take_back();
+  bool returns = false;  ///< may steps be taken back?
   /// Forces on bodies as `bodies` has them in a phase. Tangential springs have moved by the rates of the phases before
   /// it, each times its element of `stage` [s]; of a splitting, whose springs drift with the positions, by none.
   void find_forces(std::span<const Real> stage, bool first_phase, double time, Workers& workers);
@@ -66,6 +69,7 @@ class Penalty : public ContactScene {
     std::vector<std::uint8_t> touches;
     std::vector<Vector3<Real>> forces, twists;  ///< on b [N]; times the normal, for a lever of the whole radius
     std::vector<Vector3<Real>> slid;            ///< tangential springs [m]
+    std::vector<Vector3<Real>> before;          ///< and as they were when the step began
     std::vector<Vector3<Real>> rates;           ///< of phase p: from p times the contacts on [m/s]
     std::size_t size() const { return laws.size(); }
     void resize(std::size_t n, bool slides);

@@ -50,6 +50,13 @@ struct PivotedMotion {
   }
 
   template <class V>
+  BALLPARK_INLINE static V spin_per_momentum(const Constants<V>& k) {
+    V most = k.inverse_inertia[0];
+    for (int i = 1; i < 3; ++i) most = select(k.inverse_inertia[i] > most, k.inverse_inertia[i], most);
+    return most;
+  }
+
+  template <class V>
   BALLPARK_INLINE static Rotation<V> rotation(const V* y) {
     return Rotation<V>(y[3], y[4], y[5], y[6]);
   }

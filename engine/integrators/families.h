@@ -1,6 +1,7 @@
 // The families' phases, as templates on the motion M and the vector type V. M::size values of state.
 #pragma once
 
+#include "engine/integrators/error.h"
 #include "engine/integrators/method.h"
 #include "engine/kernels/motion.h"
 
@@ -14,9 +15,15 @@ struct LocalRates {
 };
 template <class M, class V>
 struct ColumnRates {
-  Real* const* columns;  ///< value i of phase p: columns[p * M::size + i]
-  std::size_t row;
-  BALLPARK_INLINE V operator()(int phase, int i) const { return load<V>(columns[phase * M::size + i] + row); }
+  Real* const* columns = nullptr;  ///< value i of set p: columns[p * M::size + i]
+  std::size_t row = 0;
+  BALLPARK_INLINE V operator()(int set, int i) const { return load<V>(columns[set * M::size + i] + row); }
+  BALLPARK_INLINE void read(int set, V* k) const {
+    for (int i = 0; i < M::size; ++i) k[i] = (*this)(set, i);
+  }
+  BALLPARK_INLINE void write(int set, const V* k) const {
+    for (int i = 0; i < M::size; ++i) store(columns[set * M::size + i] + row, k[i]);
+  }
 };
 
 template <int n, class V>
@@ -34,6 +41,7 @@ struct State {
 
   V y[size];
   V carry[compensated ? size : 1];
+  V over = V(Real(0));  ///< embedded pairs: the step's error over the tolerance, squared
 
   /// y_i += change_i for i in [begin, end).
   BALLPARK_INLINE void add(int begin, int end, const V* change) {
@@ -76,9 +84,11 @@ BALLPARK_INLINE void evaluate(const Forces& forces, const typename M::template C
 }
 
 /// y_i = y + sum_j h a_ij k_j;  y' = y + sum_i h b_i k_i  (Hairer, Norsett & Wanner, Solving ODEs I, eq. II.1.8).
+/// Embedded pairs: the error is sum_i h e_i k_i. Their last phase is at y', and so the first of the step that follows.
 struct ExplicitRungeKutta {
   using Staged = ExplicitRungeKutta;            ///< the family whose passes the staged path runs
   static constexpr bool prepare_moves = false;  ///< does prepare change the state itself?
+  static constexpr bool embeds = true;          ///< may it estimate its error?
 
   template <class S, class V, class Constants, class Rates>
   BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants&, S& state, const Rates& k,
@@ -91,7 +101,7 @@ struct ExplicitRungeKutta {
   }
 
   template <class S, class Constants, class Forces, class Rates>
-  BALLPARK_INLINE static void finish(const Method& m, const Constants&, const Forces&, const Rates& k, S& state) {
+  BALLPARK_INLINE static void finish(const Method& m, const Constants& c, const Forces&, const Rates& k, S& state) {
     using V = typename S::Value;
     V sum[S::size];
     for (int i = 0; i < S::size; ++i) sum[i] = V(Real(0));
@@ -99,7 +109,40 @@ struct ExplicitRungeKutta {
       if (m.b[p] == 0) continue;
       for (int i = 0; i < S::size; ++i) sum[i] += V(m.b[p]) * k(p, i);
     }
+    if (m.errors == 0) return state.add(0, S::size, sum);
+    V before[S::size], error[S::size][max_errors];
+    copy<S::size>(state.y, before);
     state.add(0, S::size, sum);
+    for (int i = 0; i < S::size; ++i) {
+      for (V& e : error[i]) e = V(Real(0));
+    }
+    for (int e = 0; e < m.errors; ++e) {
+      for (int p = 0; p < m.phases; ++p) {
+        if (m.error[e][p] == 0) continue;
+        for (int i = 0; i < S::size; ++i) error[i][e] += V(m.error[e][p]) * k(p, i);
+      }
+    }
+    state.over = over_tolerance(m, c, before, state, error);
+  }
+
+  template <class S, class Constants, class Forces>
+  BALLPARK_INLINE static void whole_step(const Method& m, const Constants& c, const Forces& forces,
+                                         const ColumnRates<typename S::Motion, typename S::Value>& kept, S& state) {
+    using M = typename S::Motion;
+    typename S::Value trial[S::size];
+    LocalRates<M, typename S::Value> k;
+    if (m.first_known) {
+      kept.read(0, k.values[0]);
+    } else {
+      evaluate<M>(forces, c, state.y, k.values[0]);
+    }
+    for (int p = 1; p < m.phases; ++p) {
+      prepare(m, p, c, state, k, trial);
+      evaluate<M>(forces, c, trial, k.values[p]);
+    }
+    if (m.keeps_first) kept.write(0, k.values[0]);
+    if (m.errors > 0) kept.write(m.last_set, k.values[m.phases - 1]);
+    finish(m, c, forces, k, state);
   }
 };
 
@@ -107,8 +150,11 @@ struct ExplicitRungeKutta {
 /// step keeps one k, and positions of trial states are computed only for effects that read them. The sums are those of
 /// ExplicitRungeKutta in the same order, and so are the bits.
 struct ChainedRungeKutta : ExplicitRungeKutta {
+  static constexpr bool embeds = false;
+
   template <class S, class Constants, class Forces>
-  BALLPARK_INLINE static void whole_step(const Method& m, const Constants& c, const Forces& forces, S& state) {
+  BALLPARK_INLINE static void whole_step(const Method& m, const Constants& c, const Forces& forces,
+                                         const ColumnRates<typename S::Motion, typename S::Value>&, S& state) {
     using V = typename S::Value;
     V trial[S::size], k[S::size], sum[S::size];
     copy<S::size>(state.y, trial);
@@ -129,6 +175,7 @@ struct ChainedRungeKutta : ExplicitRungeKutta {
 struct Taylor {
   using Staged = Taylor;
   static constexpr bool prepare_moves = false;
+  static constexpr bool embeds = false;
 
   template <class S, class V, class Constants, class Rates>
   BALLPARK_INLINE static void prepare(const Method&, int, const Constants&, S& state, const Rates&, V* trial) {
@@ -159,6 +206,7 @@ struct Taylor {
 struct Splitting {
   using Staged = Splitting;
   static constexpr bool prepare_moves = true;
+  static constexpr bool embeds = false;
 
   template <class S, class Constants, class Rates, class V>
   BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants& c, S& state, const Rates& k,
@@ -214,11 +262,67 @@ struct Splitting {
   }
 };
 
-/// A whole step in registers: all phases of the family F.
+/// Adams-Bashforth: y' = y + sum_j h b_j f(y_n-j). With a second phase, Adams-Bashforth-Moulton as predict, evaluate,
+/// correct: the predicted y' is where that phase evaluates. (HNW III.1)
+struct Multistep {
+  using Staged = Multistep;
+  static constexpr bool prepare_moves = false;
+  static constexpr bool embeds = false;
+
+  template <class S, class V, class Constants, class Rates>
+  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants&, S& state, const Rates& k,
+                                      V* trial) {
+    copy<S::size>(state.y, trial);
+    if (phase == 0) return;
+    V change[S::size];
+    weigh<S>(m, m.past, k, change);
+    for (int i = 0; i < S::size; ++i) trial[i] += change[i];
+  }
+
+  template <class S, class Constants, class Forces, class Rates>
+  BALLPARK_INLINE static void finish(const Method& m, const Constants&, const Forces&, const Rates& k, S& state) {
+    using V = typename S::Value;
+    V change[S::size];
+    weigh<S>(m, m.phases == 1 ? m.past : m.corrector + 1, k, change);
+    for (int i = 0; m.phases > 1 && i < S::size; ++i) change[i] += V(m.corrector[0]) * k(1, i);
+    state.add(0, S::size, change);
+  }
+
+  template <class S, class Constants, class Forces>
+  BALLPARK_INLINE static void whole_step(const Method& m, const Constants& c, const Forces& forces,
+                                         const ColumnRates<typename S::Motion, typename S::Value>& kept, S& state) {
+    using M = typename S::Motion;
+    using V = typename S::Value;
+    V trial[S::size], now[2][S::size];
+    for (auto& rates : now) {  // there may be one phase only
+      for (V& rate : rates) rate = V(Real(0));
+    }
+    const auto k = [&](int set, int i) BALLPARK_INLINE_LAMBDA { return set < m.phases ? now[set][i] : kept(set, i); };
+    for (int p = 0; p < m.phases; ++p) {
+      prepare(m, p, c, state, k, trial);
+      evaluate<M>(forces, c, trial, now[p]);
+    }
+    kept.write(0, now[0]);
+    finish(m, c, forces, k, state);
+  }
+
+ private:
+  /// Of the rates at the step's start and of the steps before.
+  template <class S, class Rates, class V>
+  BALLPARK_INLINE static void weigh(const Method& m, const Real* weights, const Rates& k, V* change) {
+    for (int i = 0; i < S::size; ++i) change[i] = V(weights[0]) * k(0, i);
+    for (int j = 1; j <= m.history; ++j) {
+      for (int i = 0; i < S::size; ++i) change[i] += V(weights[j]) * k(m.history_begin + j - 1, i);
+    }
+  }
+};
+
+/// A whole step in registers: all phases of the family F. `kept`: sets of rates that stay between steps.
 template <class F, class S, class Constants, class Forces>
-BALLPARK_INLINE void whole_step(const Method& m, const Constants& c, const Forces& forces, S& state) {
-  if constexpr (requires { F::whole_step(m, c, forces, state); }) {
-    F::whole_step(m, c, forces, state);
+BALLPARK_INLINE void whole_step(const Method& m, const Constants& c, const Forces& forces,
+                                const ColumnRates<typename S::Motion, typename S::Value>& kept, S& state) {
+  if constexpr (requires { F::whole_step(m, c, forces, kept, state); }) {
+    F::whole_step(m, c, forces, kept, state);
   } else {
     using M = typename S::Motion;
     typename S::Value trial[S::size];
@@ -241,6 +345,8 @@ decltype(auto) with_family(Family family, F&& f) {
       return f.template operator()<Taylor>();
     case Family::splitting:
       return f.template operator()<Splitting>();
+    case Family::multistep:
+      return f.template operator()<Multistep>();
     case Family::explicit_runge_kutta:
       break;
   }

@@ -3,15 +3,19 @@
 //   prepare(p)   from the state y and the rates so far, the trial state at which forces are evaluated
 //   evaluate     rates k[p] at the trial state
 //   finish       the state after the step
+// Rates come in sets of one for each value of the state. Set p is that of phase p; some methods keep sets between
+// steps.
 #pragma once
 
 #include "engine/core/real.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
-enum class Family { explicit_runge_kutta, chained_runge_kutta, taylor, splitting };
-inline constexpr int family_count = 4;
+enum class Family { explicit_runge_kutta, chained_runge_kutta, taylor, splitting, multistep };
+inline constexpr int family_count = 5;
 inline constexpr int max_phases = 13;
+inline constexpr int max_history = 4;  ///< sets of rates of earlier steps
+inline constexpr int max_errors = 2;
 
 /// A row scaled by the step: all that kernels read of a method.
 struct Method {
@@ -25,6 +29,20 @@ struct Method {
   Real lead = 0;                        ///< splitting: h times the drift before the first kick
   Real kick[max_phases] = {};           ///< splitting: h times the i-th coefficient
   Real drift[max_phases] = {};
+
+  // Embedded pairs, at a tolerance:
+  int errors = 0;                           ///< estimates of the step's error; 0: the step is given
+  Real error[max_errors][max_phases] = {};  ///< h times their weights
+  Real absolute = 0, relative = 0;          ///< tolerance, see over_tolerance (families.h)
+  bool first_known = false;                 ///< rates of the first phase are in set 0, from the step before
+  int last_set = 0;                         ///< where whole steps leave those of the last phase
+
+  // Multistep:
+  bool keeps_first = false;         ///< Runge-Kutta that starts one: whole steps leave their first rates in set 0
+  int history = 0;                  ///< sets of earlier steps that are read
+  int history_begin = 0;            ///< the set of the step before; then that before it, ...
+  Real past[max_history + 1] = {};  ///< h times the weights of the rates at this step's start, at the one before, ...
+  Real corrector[max_history + 2] = {};  ///< of a second phase: of its own rates, then as `past`
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

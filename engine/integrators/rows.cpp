@@ -5,7 +5,9 @@ namespace ballpark::BALLPARK_PRECISION {
 const std::vector<Row>& rows() {
   static const std::vector<Row> all = [] {
     std::vector<Row> list = runge_kutta_rows();
-    for (const Row& row : splitting_rows()) list.push_back(row);
+    for (const auto& more : {pair_rows(), splitting_rows(), multistep_rows()}) {
+      list.insert(list.end(), more.begin(), more.end());
+    }
     return list;
   }();
   return all;
@@ -27,6 +29,8 @@ const char* name(Family family) {
       return "Taylor";
     case Family::splitting:
       return "splitting";
+    case Family::multistep:
+      return "multistep";
   }
   return "";
 }
@@ -67,7 +71,42 @@ Method method_for(const Row& row, double step) {
     m.kick[i] = h * static_cast<Real>(row.kick[i]);
     m.drift[i] = h * static_cast<Real>(row.drift[i]);
   }
+  if (row.family != Family::multistep) return m;
+  for (int p = 1; p < row.phases; ++p) m.offset[p] = step;
+  m.history = row.history;
+  m.history_begin = row.phases;
+  for (int j = 0; j <= row.history; ++j) m.past[j] = h * static_cast<Real>(row.past[j]);
+  for (int j = 0; j <= row.history + 1; ++j) m.corrector[j] = h * static_cast<Real>(row.corrector[j]);
   return m;
+}
+
+Method pair_for(const Row& row, double absolute, double relative) {
+  Method m = method_for(row, 1);
+  m.family = Family::explicit_runge_kutta;  // which estimates errors
+  const int last = m.phases++;
+  for (int j = 0; j < last; ++j) m.a[last][j] = m.b[j];
+  m.offset[last] = 1;
+  m.last_set = last;
+  m.absolute = static_cast<Real>(absolute);
+  m.relative = static_cast<Real>(relative);
+  for (int e = 0; e < max_errors; ++e) {
+    for (int p = 0; p < m.phases; ++p) {
+      m.error[e][p] = static_cast<Real>(row.error[e][p]);
+      if (m.error[e][p] != 0) m.errors = e + 1;
+    }
+  }
+  return m;
+}
+
+void scale(const Method& unit, double step, Method& out) {
+  const Real h = static_cast<Real>(step);
+  out.step = h * unit.step;
+  for (int i = 0; i < unit.phases; ++i) {
+    out.offset[i] = step * unit.offset[i];
+    out.b[i] = h * unit.b[i];
+    for (int j = 0; j < i; ++j) out.a[i][j] = h * unit.a[i][j];
+    for (int e = 0; e < unit.errors; ++e) out.error[e][i] = h * unit.error[e][i];
+  }
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

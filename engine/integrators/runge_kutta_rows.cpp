@@ -3,27 +3,7 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-namespace {
-
 constexpr auto runge_kutta = Family::explicit_runge_kutta;
-
-Row dormand_prince5() {
-  return {.name = "dormand_prince5",
-          .doc = "Dormand and Prince's fifth-order Runge-Kutta of six evaluations",
-          .source = "Dormand & Prince 1980, J. Comput. Appl. Math. 6, 19; HNW table II.5.2",
-          .family = runge_kutta,
-          .order = 5,
-          .phases = 6,
-          .a = {{},
-                {1.0L / 5},
-                {3.0L / 40, 9.0L / 40},
-                {44.0L / 45, -56.0L / 15, 32.0L / 9},
-                {19372.0L / 6561, -25360.0L / 2187, 64448.0L / 6561, -212.0L / 729},
-                {9017.0L / 3168, -355.0L / 33, 46732.0L / 5247, 49.0L / 176, -5103.0L / 18656}},
-          .b = {35.0L / 384, 0, 500.0L / 1113, 125.0L / 192, -2187.0L / 6784, 11.0L / 84}};
-}
-
-}  // namespace
 
 std::vector<Row> runge_kutta_rows() {
   return {{.name = "euler",
@@ -81,7 +61,6 @@ std::vector<Row> runge_kutta_rows() {
            .phases = 4,
            .a = {{}, {1.0L / 3}, {-1.0L / 3, 1}, {1, -1, 1}},
            .b = {0.125, 0.375, 0.375, 0.125}},
-          dormand_prince5(),
           {.name = "taylor2",
            .doc = "second-order Taylor series; needs the time derivative of every force",
            .source = "HNW I.8",

@@ -191,6 +191,18 @@ BALLPARK_INLINE bool any_nonzero(const V& v) {
   }
 }
 
+/// The largest of all lanes.
+template <class V>
+BALLPARK_INLINE Real largest(const V& v) {
+  if constexpr (std::is_same_v<V, Real>) {
+    return v;
+  } else {
+    Real most = v[0];
+    for (std::size_t lane = 1; lane < lane_count<V>; ++lane) most = v[lane] > most ? v[lane] : most;
+    return most;
+  }
+}
+
 /// 0, 1, ...: each lane's number as a value.
 template <class V>
 BALLPARK_INLINE V lane_numbers() {

@@ -5,6 +5,7 @@
 //   load, store        state between columns and registers; store also writes columns that follow from the state
 //   body               the quantities that effects read
 //   rates              y' under loads
+//   spin_per_momentum  a scale of the angular momentum
 //   acceleration, second_rates   for Taylor-2: accelerations, and y'' under the loads' own rates
 //   position_end       y[0, position_end) is the position, which nothing but effects reads
 //   spins, turns       has an angular momentum, a quaternion; momentum, quaternion: where they start in y
@@ -83,6 +84,16 @@ struct FreeMotion {
     store_columns(s.velocity, k.row, y + 3);
     if constexpr (spins) store_columns(s.momentum, k.row, y + momentum);
     if constexpr (turns) store_columns(s.orientation, k.row, y + quaternion);
+  }
+
+  /// An angular momentum times this is no less than the angular velocity that it may mean.
+  template <class V>
+  BALLPARK_INLINE static V spin_per_momentum(const Constants<V>& k) {
+    V most = k.inverse_inertia[0];
+    for (int i = 1; kind == Spin::rigid && i < 3; ++i) {
+      most = select(k.inverse_inertia[i] > most, k.inverse_inertia[i], most);
+    }
+    return most;
   }
 
   /// I^-1 in the world frame, applied.

@@ -27,6 +27,8 @@ const char* name(Role role) {
   switch (role) {
     case Role::state:
       return "state";
+    case Role::kept:
+      return "kept";
     case Role::rate:
       return "rate";
     case Role::sum:

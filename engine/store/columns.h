@@ -10,8 +10,8 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-/// state: integrated. rate, sum: scratch of a step. constant: set at build.
-enum class Role { state, rate, sum, constant };
+/// state: integrated. kept: what a step leaves to the next one. rate, sum: scratch of a step. constant: set at build.
+enum class Role { state, kept, rate, sum, constant };
 
 struct ColumnInfo {
   std::string name;

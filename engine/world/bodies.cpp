@@ -155,6 +155,7 @@ void World::set(std::size_t id, const BodyState& state) {
   for (Real* carry : group.carry) carry[row] = 0;
   if (state.has_angular_velocity) group.motion = group.carried;  // what stood still until now may turn
   if (group.spins()) write(columns.momentum, row, momentum_for(group, row, orientation, wide(spin)));
+  forget_rates();
   if (group.motion == MotionKind::pivoted) return place_pivoted(group, row);
   write(columns.position, row, wide(state.position));
   write(columns.velocity, row, wide(state.velocity));
@@ -175,6 +176,7 @@ void World::kick(const Place& place, const Vector3d& J, const Vector3d& offset) 
   }
   if (group.spins()) write(columns.momentum, row, widened(read(columns.momentum, row)) + cross(lever, wide(J)));
   if (group.motion == MotionKind::pivoted) place_pivoted(group, row);
+  forget_rates();
 }
 
 void World::apply_impulse(std::size_t id, const Vector3d& J, const Vector3d& offset) {
@@ -215,6 +217,7 @@ void World::apply_load(const std::string& kind, std::size_t id, const Vector3d& 
     if (!group.spins()) refuse(call, "group " + group.name + " carries no rotation");
     group.motion = group.carried;  // from now on a torque changes its spin
   }
+  forget_rates();
   std::map<std::string, Value> parameters{{kind, load}, {"at", at}, {"until", until}};
   for (const ParameterInfo& p : info.description.parameters) {
     if (p.fallback) parameters.emplace(p.name, *p.fallback);

@@ -58,13 +58,11 @@ void Builder::build() {
   problems_ = ballpark::check(scene_);
   check_options();
   if (!problems_.empty()) throw SceneError(problems_);
-  world_.row_ = find_row(scene_.run.integrator);
-  world_.step_ = scene_.run.step;
-  world_.method_ = method_for(*world_.row_, world_.step_);
   world_.kernels_ = kernel_table(options_.target);
   world_.copies_ = static_cast<std::size_t>(options_.copies);
   for (std::size_t g = 0; g < scene_.bodies.size(); ++g) choose_motion(g);
   choose_path();
+  choose_method();
   place_groups();
   add_state_columns();
   for (Group& group : world_.groups_) {
@@ -73,6 +71,8 @@ void Builder::build() {
     add_effects(group);
     if (scene_.run.compensated) add_carry(group);
     if (!world_.fused_) add_scratch(group);
+    if (world_.fused_) add_rates(group);
+    if (world_.adaptive_) add_before(group);
   }
   add_pair_systems();
   check_stability();
@@ -124,6 +124,30 @@ void Builder::check_options() {
   if (options_.path == Path::fused && pair_effect_of(scene_)) {
     refuse("path", pair_effect_of(scene_)->kind + " takes the staged path, expected automatic or staged");
   }
+}
+
+/// The row, scaled by the step; of a pair that has a tolerance, as it will be scaled.
+void Builder::choose_method() {
+  const RunSettings& run = scene_.run;
+  world_.row_ = find_row(run.integrator);
+  world_.step_ = run.step;
+  world_.duration_ = run.duration;
+  world_.adaptive_ = run.tolerance > 0;
+  if (world_.adaptive_) {
+    const double absolute = run.absolute_tolerance > 0 ? run.absolute_tolerance : run.tolerance;
+    world_.unit_ = pair_for(*world_.row_, absolute, run.tolerance);
+    if (world_.fused_) world_.unit_.last_set = 1;
+    world_.keeps_rates_ = scene_.contact.kind != "penalty";  // whose first phase sets its springs
+    world_.control_.order = world_.row_->error_order + 1;
+    world_.method_ = world_.unit_;
+    return;
+  }
+  world_.method_ = method_for(*world_.row_, world_.step_);
+  if (world_.row_->family != Family::multistep) return;
+  world_.starter_ = method_for(*find_row(starter_name), world_.step_);
+  world_.starter_.family = Family::explicit_runge_kutta;  // which leaves its first rates
+  world_.starter_.keeps_first = true;
+  if (!world_.fused_) world_.method_.history_begin = std::max(world_.method_.phases, world_.starter_.phases);
 }
 
 /// What the group must carry, from what the scene gives and asks for.
@@ -227,6 +251,8 @@ void Builder::add_blocks() {
     }
   }
   world_.small_ = all_rows <= block_length;
+  world_.moved_.resize(world_.blocks_.size());
+  world_.arrange_rates();
 }
 
 /// Impulses of every copy, and the ends of windows, by time.

@@ -33,6 +33,9 @@ class Builder {
   void check_stability();
   void check_stability(const std::string& whose, const Stiffness& per_mass);
   void add_carry(Group& group);
+  void choose_method();
+  void add_rates(Group& group);
+  void add_before(Group& group);
   void add_scratch(Group& group);
   void add_blocks();
   void add_events();

@@ -92,6 +92,7 @@ void Builder::choose_penalty() {
   world_.penalty_ = made.get();
   const ContactSettings& contact = scene_.contact;
   made->phases = world_.method_.phases;
+  made->penalty.returns = world_.adaptive_;
   PenaltySettings& settings = made->penalty.settings;
   settings.stiffness = static_cast<Real>(contact.stiffness);
   settings.slide_stiffness = static_cast<Real>(contact.stiffness * contact.tangential_stiffness);

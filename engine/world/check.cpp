@@ -66,9 +66,26 @@ bool Problems::known(const std::string& path, const char* what, const std::strin
 
 namespace {
 
+/// Rounding must stay well below what is asked for.
+void check_tolerance(const RunSettings& run, Problems& problems) {
+  const double least = run.precision == Precision::single_ ? 1e-6 : run.precision == Precision::double_ ? 1e-15 : 1e-18;
+  if (!(run.tolerance >= least && run.tolerance <= 0.1)) {
+    problems.add("run.tolerance", fmt::format("is {}, expected a number from {} (what this precision resolves) to 0.1",
+                                              text(run.tolerance), text(least)));
+  }
+  if (run.absolute_tolerance != 0) problems.positive("run.absolute_tolerance", run.absolute_tolerance, "m");
+  if (run.step != 0) problems.add("run.step", "is given beside run.tolerance, expected one of the two");
+  if (run.compensated) problems.add("run.compensated", "needs run.step: with run.tolerance, expected false");
+}
+
 void check_run(const RunSettings& run, Problems& problems) {
   const bool ends = problems.not_negative("run.duration", run.duration, "s");
-  if (problems.positive("run.step", run.step, "s") && ends && run.duration / run.step > 1e15) {
+  if (run.tolerance != 0) {
+    check_tolerance(run, problems);
+  } else if (run.step == 0) {
+    problems.add("run.step",
+                 "is not given, expected a number > 0 [s], or run.tolerance of an integrator that takes one");
+  } else if (problems.positive("run.step", run.step, "s") && ends && run.duration / run.step > 1e15) {
     problems.add("run.step", fmt::format("is {} s: a duration of {} s would need more than 1e15 steps", text(run.step),
                                          text(run.duration)));
   }

@@ -35,16 +35,24 @@ bool reads_velocity(const Effect& effect, const EffectDescription& description) 
   return list && std::any_of(list->begin(), list->end(), [](double c) { return c != 0; });
 }
 
-/// Do penalty contacts lose energy?
-bool contacts_read_velocity(const Scene& scene) {
+template <class Is>
+bool any_law(const Scene& scene, Is is) {
   const std::vector<std::string> names = materials_in_use(scene);
   for (const std::string& a : names) {
     for (const std::string& b : names) {
-      const Material law = law_between(scene, a, b);
-      if (law.restitution < 1 || law.friction > 0) return true;
+      if (is(law_between(scene, a, b))) return true;
     }
   }
   return false;
+}
+
+bool contacts_rub(const Scene& scene) {
+  return any_law(scene, [](const Material& law) { return law.friction > 0; });
+}
+
+/// Do penalty contacts lose energy?
+bool contacts_read_velocity(const Scene& scene) {
+  return any_law(scene, [](const Material& law) { return law.restitution < 1 || law.friction > 0; });
 }
 
 }  // namespace
@@ -54,6 +62,29 @@ std::string needs_blind_forces(const IntegratorDescription& row, const std::stri
       "{} is of order {} for forces that do not read velocity, but {} reads it; expected another "
       "integrator, e.g. velocity_verlet or rk4",
       row.name, row.order, reader);
+}
+
+/// Tolerances need an estimate of the error; contacts need steps that begin anew each time.
+void check_pace(const Scene& scene, const IntegratorDescription& row, Problems& problems) {
+  const bool multistep = row.start_steps > 0, tolerance = scene.run.tolerance != 0;
+  if (tolerance && !row.adaptive) {
+    std::string pairs;
+    for (const IntegratorDescription& other : integrators()) {
+      if (other.adaptive) pairs += (pairs.empty() ? "" : ", ") + other.name;
+    }
+    problems.add("run.integrator",
+                 row.name + " has no estimate of its error, which run.tolerance needs; expected one of " + pairs);
+  }
+  if (!touches(scene) || scene.contact.kind.empty()) return;
+  if (scene.contact.kind == "impulse" && (multistep || tolerance)) {
+    problems.add(multistep ? "run.integrator" : "run.tolerance",
+                 "impulse contacts change velocities at once: expected a one-step integrator and run.step, e.g. rk4");
+  }
+  if (scene.contact.kind == "penalty" && multistep && contacts_rub(scene)) {
+    problems.add("run.integrator", row.name +
+                                       " looks back, to before a contact began and its friction with it; expected a "
+                                       "one-step integrator, e.g. rk4");
+  }
 }
 
 void check_integrator(const Scene& scene, Problems& problems) {
@@ -72,6 +103,7 @@ void check_integrator(const Scene& scene, Problems& problems) {
     }
     if (blind(row) && reads_velocity(effect, *description)) refuse(needs_blind_forces(row, effect.kind));
   }
+  check_pace(scene, row, problems);
   if (row.family == "Taylor" && scene.contact.kind == "penalty") {
     refuse(
         "taylor2 needs the time derivative of every force, which penalty contacts do not give; expected another "

@@ -208,6 +208,50 @@ void Builder::add_carry(Group& group) {
   group.kernel.carry = group.carry.data();
 }
 
+/// Sets of rates: of all phases on the staged path, and those kept between steps.
+void Builder::add_rates(Group& group) {
+  const Method& method = world_.adaptive_ ? world_.unit_ : world_.method_;
+  const bool multistep = method.history > 0, keeps = multistep || world_.keeps_rates_;
+  if (world_.fused_ && !keeps) return;
+  const int size = state_size(group.carried);
+  std::vector<bool> used(static_cast<std::size_t>(std::max(method.phases, method.history_begin + method.history)),
+                         true);
+  if (world_.fused_) {  // phases are in registers
+    used.assign(static_cast<std::size_t>(multistep ? method.history_begin + method.history : method.last_set + 1),
+                false);
+    used[0] = true;
+    for (std::size_t set = static_cast<std::size_t>(multistep ? method.history_begin : method.last_set);
+         set < used.size(); ++set)
+      used[set] = true;
+  }
+  const auto sets = static_cast<int>(std::count(used.begin(), used.end(), true));
+  const char* why =
+      keeps ? "rates of phases and of earlier steps" : "staged path: one set for each phase of the integrator";
+  Column& column = world_.columns_.add({"rates", "state/s", sets * size, keeps ? Role::kept : Role::rate, why},
+                                       group.first_row, padded(group.live));
+  int next = 0;
+  for (const bool in_memory : used) {
+    for (int i = 0; i < size; ++i) group.rates.push_back(in_memory ? column.at(next++, group.first_row) : nullptr);
+  }
+  group.rate_columns = group.rates;
+  group.kernel.rates = group.rates.data();
+}
+
+/// Embedded pairs: where a step began, to return to.
+void Builder::add_before(Group& group) {
+  const auto add = [&](const char* name, const char* unit, auto& pointers) {
+    Column& column = world_.columns_.add(
+        {name, unit, static_cast<int>(std::size(pointers)), Role::rate, "run.tolerance: a step may be rejected"},
+        group.first_row, padded(group.live));
+    for (int c = 0; c < column.info.components; ++c) pointers[c] = column.at(c, group.first_row);
+  };
+  StateColumns& before = group.kernel.before;
+  add("position_before", "m", before.position);
+  add("velocity_before", "m/s", before.velocity);
+  if (group.spins()) add("angular_momentum_before", "kg m^2/s", before.momentum);
+  if (group.turns()) add("orientation_before", "1", before.orientation);
+}
+
 /// Staged path: trial state, rates of each phase and, for user effects, spin and sums.
 void Builder::add_scratch(Group& group) {
   const std::size_t rows = padded(group.live), first = group.first_row;
@@ -221,9 +265,7 @@ void Builder::add_scratch(Group& group) {
   add("trial_velocity", "m/s", Role::rate, k.trial.velocity, "staged path");
   if (group.spins()) add("trial_angular_momentum", "kg m^2/s", Role::rate, k.trial.momentum, "staged path");
   if (group.turns()) add("trial_orientation", "1", Role::rate, k.trial.orientation, "staged path");
-  group.rates.resize(static_cast<std::size_t>(world_.method_.phases * state_size(group.carried)));
-  add("rates", "state/s", Role::rate, group.rates, "staged path: one set for each phase of the integrator");
-  k.rates = group.rates.data();
+  add_rates(group);
   for (std::size_t u = 0; u < world_.users_.size(); ++u) {
     const Effect as_effect{.kind = {}, .groups = world_.users_[u].groups, .parameters = {}};
     if (acts_on(as_effect, scene_.bodies[group.scene_index])) group.users.push_back(u);

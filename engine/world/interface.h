@@ -21,6 +21,7 @@ class WorldInterface {
  public:
   virtual ~WorldInterface() = default;
   virtual void step(std::uint64_t n) = 0;
+  virtual void advance_to(double t, std::uint64_t most_steps) = 0;
   virtual double step_size() const = 0;
   virtual double time() const = 0;
   virtual const Status& status() const = 0;

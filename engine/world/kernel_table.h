@@ -16,14 +16,22 @@ struct StepGroup {
   StateColumns trial;            ///< staged path: where forces are evaluated
   Real* trial_spin[3] = {};      ///< staged path with user effects: angular velocity of the trial state
   Real* const* carry = nullptr;  ///< compensated summation: what rounding took from each value of the state
-  Real* const* rates = nullptr;  ///< staged path: rate i of phase p is rates[p * size + i]
+  Real* const* rates = nullptr;  ///< rate i of set p is rates[p * size + i]: of phases, and kept between steps
+  StateColumns before;           ///< embedded pairs: the state at the step's start, to return to
 };
 
-/// Rows [first, last), a multiple of any vector: padding rows repeat the last body. True: every value stays finite.
-using FusedStep = bool(const StepGroup&, const Method&, std::size_t first, std::size_t last);
+/// What a pass that moves bodies tells: does every value stay finite, and the largest error over the tolerance,
+/// squared.
+struct Moved {
+  bool finite = true;
+  Real over = 0;
+};
+
+/// Rows [first, last), a multiple of any vector: padding rows repeat the last body.
+using FusedStep = Moved(const StepGroup&, const Method&, std::size_t first, std::size_t last);
 using Prepare = void(const StepGroup&, const Method&, int phase, std::size_t first, std::size_t last);
 using Evaluate = void(const StepGroup&, int phase, std::size_t first, std::size_t last);
-using Finish = bool(const StepGroup&, const Method&, std::size_t first, std::size_t last);
+using Finish = Moved(const StepGroup&, const Method&, std::size_t first, std::size_t last);
 
 /// One family's kernels, by motion.
 struct FamilyKernels {

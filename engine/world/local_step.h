@@ -32,30 +32,39 @@ BALLPARK_INLINE void store_state(const StepGroup& group, const Constants& c, con
   for (int i = 0; compensated && i < M::size; ++i) store(group.carry[i] + c.row, state.carry[i]);
 }
 
-/// Moves rows by move(constants, state), which is all of a step or its end; true if every value stays finite.
-template <class S, class Move>
-BALLPARK_INLINE bool move_rows(const StepGroup& group, std::size_t first, std::size_t last, Move move) {
+/// Moves rows by move(constants, state), which is all of a step or its end. `embeds`: it may be undone, and tells its
+/// error.
+template <class S, bool embeds, class Move>
+BALLPARK_INLINE Moved move_rows(const StepGroup& group, std::size_t first, std::size_t last, Move move) {
   using M = typename S::Motion;
   using V = typename S::Value;
-  V poison = V(Real(0));
+  V poison = V(Real(0)), over = V(Real(0));
   for (std::size_t row = first; row < last; row += lane_count<V>) {
     const auto c = M::template constants<V>(group.constants, row);
     S state;
     load_state(group, row, state);
+    if constexpr (embeds) {
+      if (group.before.velocity[0]) M::store(group.before, c, state.y);
+    }
     move(c, state);
     state.normalise();
     store_state(group, c, state);
     watch<M::size>(poison, state.y);
+    if constexpr (embeds) {
+      poison += state.over * V(Real(0));
+      over = larger(over, state.over);
+    }
   }
-  return !any_nonzero(poison);
+  return {!any_nonzero(poison), embeds ? largest(over) : Real(0)};
 }
 
 /// A whole step in registers: memory is read and written once.
 template <class F, class M, class V, bool compensated>
-static bool fused_step(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
-  return move_rows<State<M, V, compensated>>(
-      group, first, last,
-      [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA { whole_step<F>(method, c, group.forces, state); });
+static Moved fused_step(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
+  return move_rows<State<M, V, compensated>, F::embeds>(
+      group, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
+        whole_step<F>(method, c, group.forces, ColumnRates<M, V>{group.rates, c.row}, state);
+      });
 }
 
 template <class F, class M, class V, bool compensated>
@@ -90,8 +99,8 @@ static void evaluate_pass(const StepGroup& group, int phase, std::size_t first, 
 }
 
 template <class F, class M, class V, bool compensated>
-static bool finish_pass(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
-  return move_rows<State<M, V, compensated>>(
+static Moved finish_pass(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
+  return move_rows<State<M, V, compensated>, F::embeds>(
       group, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
         F::finish(method, c, group.forces, ColumnRates<M, V>{group.rates, c.row}, state);
       });
@@ -114,7 +123,8 @@ static constexpr StepKernels step_kernels() {
   StepKernels kernels = {{family_kernels<ExplicitRungeKutta, compensated, Vector, M...>(),
                           family_kernels<ChainedRungeKutta, compensated, Vector, M...>(),
                           family_kernels<Taylor, compensated, Vector, M...>(),
-                          family_kernels<Splitting, compensated, Vector, M...>()}};
+                          family_kernels<Splitting, compensated, Vector, M...>(),
+                          family_kernels<Multistep, compensated, Vector, M...>()}};
   return kernels;
 }
 

@@ -22,6 +22,11 @@ std::uint64_t hash_rows(const Real* values, std::size_t count, std::uint64_t see
   }
 }
 
+/// Does the next step need it?
+bool lasts(const Column& column) {
+  return column.info.role == Role::state || column.info.role == Role::kept;
+}
+
 /// Does any force, or the rate of another state column, depend on this column of the group?
 bool is_read(const Group& group, const std::string& column) {
   if (column == "orientation") return group.motion == MotionKind::rigid || group.motion == MotionKind::pivoted;
@@ -72,11 +77,12 @@ Snapshot World::snapshot() const {
                 .counters = counters(),
                 .status = status_,
                 .columns = {},
+                .pace = pace(),
                 .contacts = {}};
   if (contacts_) copy.contacts = contacts_->save();
   for (const Group& group : groups_) copy.motions.push_back(static_cast<int>(group.motion));
   for (const Column& column : columns_.all()) {
-    if (column.info.role != Role::state) continue;
+    if (!lasts(column)) continue;
     for (int c = 0; c < column.info.components; ++c) {
       const auto* bytes = reinterpret_cast<const std::byte*>(column.at(c, column.first_row));
       copy.columns.emplace_back(bytes, bytes + column.rows * sizeof(Real));
@@ -91,14 +97,14 @@ void World::restore(const Snapshot& snapshot) {
   const auto for_each_array = [&](auto act) {
     count = 0;
     for (Column& column : columns_.all()) {
-      if (column.info.role != Role::state) continue;
+      if (!lasts(column)) continue;
       for (int c = 0; c < column.info.components; ++c, ++count) act(column, c);
     }
   };
   for_each_array([&](const Column& column, int) {
     fits = fits && count < snapshot.columns.size() && snapshot.columns[count].size() == column.rows * sizeof(Real);
   });
-  if (!fits || count != snapshot.columns.size()) {
+  if (!fits || count != snapshot.columns.size() || snapshot.pace.size() != pace().size()) {
     throw SceneError("restore", "the snapshot is of another scene, number of copies or precision");
   }
   if (contacts_ && !contacts_->restore(snapshot.contacts)) {
@@ -109,6 +115,7 @@ void World::restore(const Snapshot& snapshot) {
     if (!from.empty()) std::memcpy(column.at(c, column.first_row), from.data(), from.size());
   });
   for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].motion = static_cast<MotionKind>(snapshot.motions[g]);
+  set_pace(snapshot.pace);
   counters_ = snapshot.counters;
   if (contacts_) contacts_->set_counters(snapshot.counters);
   status_ = snapshot.status;

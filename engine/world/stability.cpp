@@ -1,6 +1,7 @@
 // The largest stable step, measured on the code itself: a method's own kernel moves a damped oscillator from two
 // independent starts, and the spectral radius of the resulting step matrix says whether it grows.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,21 +29,98 @@ struct OscillatorForces {
   }
 };
 
+/// The oscillator in units of the step: F = -spring x - damping v, h = 1, m = 1.
+struct Oscillator {
+  OscillatorForces forces;
+  Point::Constants<Real> constants;
+
+  Oscillator(double spring, double damping) : forces{static_cast<Real>(spring), static_cast<Real>(damping)} {
+    BodyConstants unit_mass;
+    unit_mass.mass.value = 1;
+    constants = Point::constants<Real>(unit_mass, 0);
+  }
+  /// (x, v) at n, n - 1, ...
+  using Past = std::array<std::array<Real, 2>, max_history + 1>;
+
+  /// (x, v) at n + 1 by the method.
+  void step(const Method& m, const Past& past, double (&next)[2]) const {
+    constexpr std::size_t sets = max_history + 3;
+    std::array<Real, sets * Point::size> rates{};
+    std::array<Real*, sets * Point::size> columns;
+    for (std::size_t i = 0; i < rates.size(); ++i) columns[i] = &rates[i];
+    for (int j = 1; j <= m.history; ++j) {
+      const State<Point, Real> earlier = at(past[static_cast<std::size_t>(j)]);
+      evaluate<Point>(forces, constants, earlier.y, rates.data() + (m.history_begin + j - 1) * Point::size);
+    }
+    const ColumnRates<Point, Real> kept{columns.data(), 0};
+    State<Point, Real> state = at(past[0]);
+    with_family(m.family, [&]<class F>() { whole_step<F>(m, constants, forces, kept, state); });
+    next[0] = static_cast<double>(state.y[0]);
+    next[1] = static_cast<double>(state.y[3]);
+  }
+
+ private:
+  static State<Point, Real> at(const std::array<Real, 2>& xv) {
+    State<Point, Real> state{};
+    state.y[0] = xv[0];
+    state.y[3] = xv[1];
+    return state;
+  }
+};
+
+/// (x, v) of so many steps, and the matrix that takes them one step on.
+constexpr std::size_t most_values = 2 * (max_history + 1);
+using Companion = std::array<double, most_values * most_values>;
+
+/// Largest |eigenvalue| of an n x n matrix, from norms of the powers 2, 4, 8, ...: ||A^n||^(1/n).
+double spectral_radius(Companion a, std::size_t n) {
+  constexpr int squarings = 48;
+  double logarithm = 0, weight = 1;
+  for (int k = 0; k <= squarings; ++k, weight /= 2) {
+    double norm = 0;
+    for (std::size_t i = 0; i < n * n; ++i) norm = std::max(norm, std::abs(a[i]));
+    if (norm == 0) return 0;
+    logarithm += weight * std::log(norm);
+    Companion square{};
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t l = 0; l < n; ++l) {
+        const double factor = a[i * n + l] / norm;
+        for (std::size_t j = 0; j < n; ++j) square[i * n + j] += factor * (a[l * n + j] / norm);
+      }
+    }
+    a = square;
+  }
+  return std::exp(logarithm);
+}
+
+/// Of a multistep method: of the matrix that takes (x, v) at n, n - 1, ... to those one step on.
+double companion_radius(const Method& m, const Oscillator& oscillator, bool free) {
+  const std::size_t steps = static_cast<std::size_t>(m.history) + 1, first = free ? 1 : 0, values = free ? 1 : 2;
+  const std::size_t n = steps * values;  // a free position keeps an eigenvalue of 1: of v alone
+  Companion matrix{};
+  for (std::size_t column = 0; column < n; ++column) {
+    Oscillator::Past past{};
+    past[column / values][first + column % values] = 1;
+    double next[2];
+    oscillator.step(m, past, next);
+    for (std::size_t v = 0; v < values; ++v) matrix[v * n + column] = next[first + v];
+    if (column + values < n) matrix[(column + values) * n + column] = 1;
+  }
+  return spectral_radius(matrix, n);
+}
+
 /// Largest |eigenvalue| of the step matrix in (x, v h): scaled so that entries are of one size.
 double spectral_radius(const Row& row, double spring_h2, double damping_h) {
   const Method m = method_for(row, 1);
-  const OscillatorForces forces{static_cast<Real>(spring_h2), static_cast<Real>(damping_h)};
-  BodyConstants unit_mass;
-  unit_mass.mass.value = 1;
-  const auto constants = Point::constants<Real>(unit_mass, 0);
+  const Oscillator oscillator(spring_h2, damping_h);
+  if (m.history > 0) return companion_radius(m, oscillator, spring_h2 == 0);
   double matrix[2][2];
-  for (int column = 0; column < 2; ++column) {
-    State<Point, Real> state{};
-    Real* y = state.y;
-    y[column == 0 ? 0 : 3] = 1;
-    with_family(m.family, [&]<class F>() { whole_step<F>(m, constants, forces, state); });
-    matrix[0][column] = static_cast<double>(y[0]);
-    matrix[1][column] = static_cast<double>(y[3]);
+  for (std::size_t column = 0; column < 2; ++column) {
+    Oscillator::Past start{};
+    start[0][column] = 1;
+    double next[2];
+    oscillator.step(m, start, next);
+    for (std::size_t r = 0; r < 2; ++r) matrix[r][column] = next[r];
   }
   const double half_trace = (matrix[0][0] + matrix[1][1]) / 2;
   const double determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
@@ -88,13 +166,14 @@ std::vector<IntegratorDescription> describe_integrators() {
     const bool blind = row.family == Family::splitting && row.order > 2;  // refuses forces that read velocity
     const double real = blind ? 0 : boundary([&](double t) { return spectral_radius(row, 0, t); }, 1);
     const double imaginary = boundary([&](double t) { return spectral_radius(row, t * t, 0); }, 1);
-    all.push_back(
-        {row.name, row.doc, row.source, name(row.family), row.order, evaluations, row.symplectic, real, imaginary});
+    all.push_back({row.name, row.doc, row.source, name(row.family), row.order, evaluations, row.embeds(), row.history,
+                   row.symplectic, real, imaginary});
   }
   return all;
 }
 
 void Builder::check_stability() {
+  if (world_.adaptive_) return;  // the tolerance keeps steps small enough
   for (const auto& [group, per_mass] : local_stiffness_) check_stability("group " + group->name, per_mass);
   Stiffness all;  // bonds pull beside each other and beside what holds their bodies in place
   std::string names;
@@ -153,6 +232,7 @@ Stiffness World::beside_contacts() const {
 
 /// A contact swings for half a turn: what grows at every step is reported when that is more than a tenth of it.
 void World::judge_contacts(const Stiffness& of_contacts) {
+  if (adaptive_) return;
   const Stiffness others = beside_contacts();
   const double spring = of_contacts.spring + others.spring, damping = of_contacts.damping + others.damping;
   const StepLimit limit = f64::step_limit(row_->name, step_, spring, damping);

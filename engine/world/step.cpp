@@ -1,7 +1,7 @@
 // The step. Local bodies: one fused pass; else, for each phase of the integrator, prepare, user effects, evaluate.
 #include <algorithm>
-#include <atomic>
-#include <chrono>
+#include <cmath>
+#include <limits>
 
 #include "engine/world/world.h"
 
@@ -12,10 +12,6 @@ namespace {
 /// Events this close to a step's ends, in steps, are taken to be on them.
 constexpr double on_the_step = 1e-9;
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 template <class R>
 void run_user(const UserEffect& effect, const BodyBlock<R>& block) {
   if constexpr (std::is_same_v<R, float>) effect.run_single(block);
@@ -25,7 +21,14 @@ void run_user(const UserEffect& effect, const BodyBlock<R>& block) {
 }  // namespace
 
 void World::step(std::uint64_t n) {
-  for (std::uint64_t i = 0; i < n; ++i) one_step();
+  for (std::uint64_t i = 0; i < n; ++i) adaptive_ ? adaptive_step(std::numeric_limits<double>::infinity()) : one_step();
+}
+
+void World::advance_to(double t, std::uint64_t most_steps) {
+  for (std::uint64_t i = 0; adaptive_ && i < most_steps && time() < t && !stuck_; ++i) adaptive_step(t);
+  if (adaptive_) return;
+  const double steps = std::floor(t / step_ + on_the_step), done = static_cast<double>(counters_.steps);
+  if (steps > done) step(std::min(most_steps, static_cast<std::uint64_t>(steps - done)));
 }
 
 /// begin -> events of this step, each at its time -> smooth motion in between -> finish
@@ -39,26 +42,38 @@ void World::one_step() {
       advance(start + done, offset - done);
       done = offset;
     }
-    if (event.impulse) kick(place_of(event.impulse->id), event.impulse->J, event.impulse->offset);
+    take_effect(event);
   }
   advance(start + done, step_ - done);
   ++counters_.steps;
+}
+
+/// What forces were before says nothing of what they are now.
+void World::take_effect(const Event& event) {
+  if (event.impulse) kick(place_of(event.impulse->id), event.impulse->J, event.impulse->offset);
+  forget_rates();
 }
 
 /// Motion over h, from the time `from`.
 void World::advance(double from, double h) {
   activate_windows(from, h);
   if (impulse_) return contact_substeps(from, h);
-  smooth_motion(h == step_ ? method_ : method_for(*row_, h), from);
+  const bool whole = h == step_, multistep = row_->family == Family::multistep;
+  if (!multistep) {
+    report_non_finite(smooth_motion(whole ? method_ : method_for(*row_, h), from));
+  } else if (!whole) {
+    report_non_finite(smooth_motion(method_for(*find_row(starter_name), h), from));
+  } else {
+    const bool starts = known_sets_ < method_.history;
+    report_non_finite(smooth_motion(starts ? starter_ : method_, from));
+    known_sets_ += starts;
+    turn_rates();
+  }
 }
 
-void World::smooth_motion(const Method& method, double from) {
-  if (fused_) {
-    fused_pass(method);
-  } else {
-    staged_passes(method, from);
-  }
-  counters_.force_evaluations += static_cast<std::uint64_t>(method.phases);
+Moved World::smooth_motion(const Method& method, double from) {
+  counters_.force_evaluations += static_cast<std::uint64_t>(method.phases - method.first_known);
+  return fused_ ? fused_pass(method) : staged_passes(method, from);
 }
 
 /// contacts found -> for each substep: smooth motion as a trial -> impacts reflected -> solve -> relax
@@ -73,7 +88,7 @@ void World::contact_substeps(double from, double h) {
       impulse_->read_start(groups_, workers_);
     });
     if (i == 0) timed("find_contacts", [&] { impulse_->solver.find(at, static_cast<Real>(h), workers_); });
-    smooth_motion(method, at);
+    report_non_finite(smooth_motion(method, at));
     timed("read_contacts", [&] { impulse_->read_trial(groups_, workers_); });
     timed("reflect_impacts", [&] { impulse_->solver.reflect(at, static_cast<Real>(substep), workers_); });
     timed("solve_contacts", [&] { impulse_->solver.solve(workers_); });
@@ -103,59 +118,54 @@ void World::activate_windows(double from, double h) {
   }
 }
 
-/// Runs the action, timed if asked for.
-template <class Action>
-void World::timed(const char* name, Action action) {
-  const double begin = profiling_ ? seconds_now() : 0;
-  action();
-  if (profiling_) record(name, seconds_now() - begin);
-}
-
-/// One parallel sweep over all blocks, timed if asked for.
-template <class Task>
-void World::pass(const char* name, Task task) {
-  const auto run = [&](std::size_t b) {
-    const Block& block = blocks_[b];
-    task(groups_[block.group], block);
-  };
-  timed(name, [&] { workers_.for_each(blocks_.size(), run, small_ ? 1 : threads()); });
-}
-
 const FamilyKernels& World::kernels_of(const Group& group, const Method& method) const {
   return kernels_->family(method.family, group.kernel.carry != nullptr);
 }
 
-void World::fused_pass(const Method& method) {
-  std::atomic<bool> finite = true;
-  pass("fused_step", [&](const Group& group, const Block& block) {
-    FusedStep* kernel = kernels_of(group, method).fused[static_cast<int>(group.motion)];
-    if (!kernel(group.kernel, method, block.first, block.last)) finite.store(false, std::memory_order_relaxed);
+/// One sweep that moves all bodies by move(group, block); what it tells, of all blocks.
+template <class Move>
+Moved World::moving_pass(const char* name, Move move) {
+  pass(name, [&](const Group& group, const Block& block) {
+    moved_[static_cast<std::size_t>(&block - blocks_.data())] = move(group, block);
   });
-  if (!finite) report_non_finite();
+  Moved all;
+  for (const Moved& part : moved_) {
+    all.finite = all.finite && part.finite;
+    all.over = std::max(all.over, part.over);
+  }
+  return all;
 }
 
-void World::staged_passes(const Method& method, double from) {
+Moved World::fused_pass(const Method& method) {
+  return moving_pass("fused_step", [&](const Group& group, const Block& block) {
+    FusedStep* kernel = kernels_of(group, method).fused[static_cast<int>(group.motion)];
+    return kernel(group.kernel, method, block.first, block.last);
+  });
+}
+
+Moved World::staged_passes(const Method& method, double from) {
   if (penalty_) timed("keep_neighbours", [&] { penalty_->begin(groups_, from, method.step, workers_); });
-  for (int phase = 0; phase < method.phases; ++phase) {
-    pass("prepare", [&](const Group& group, const Block& block) {
-      Prepare* prepare = kernels_of(group, method).prepare[static_cast<int>(group.motion)];
-      prepare(group.kernel, method, phase, block.first, block.last);
-    });
-    sum_forces(method, phase, from + method.offset[phase]);
-    pass("evaluate", [&](const Group& group, const Block& block) {
-      kernels_->evaluate[static_cast<int>(group.motion)](group.kernel, phase, block.first, block.last);
-    });
-  }
-  std::atomic<bool> finite = true;
-  pass("finish", [&](const Group& group, const Block& block) {
+  for (int phase = method.first_known ? 1 : 0; phase < method.phases; ++phase) staged_phase(method, phase, from);
+  const Moved moved = moving_pass("finish", [&](const Group& group, const Block& block) {
     Finish* finish = kernels_of(group, method).finish[static_cast<int>(group.motion)];
-    if (!finish(group.kernel, method, block.first, block.last)) finite.store(false, std::memory_order_relaxed);
+    return finish(group.kernel, method, block.first, block.last);
   });
   if (penalty_) {
     timed("finish_contacts", [&] { penalty_->finish(groups_, method, workers_); });
-    watch_contact_stiffness();
+    if (!adaptive_) watch_contact_stiffness();
   }
-  if (!finite) report_non_finite();
+  return moved;
+}
+
+void World::staged_phase(const Method& method, int phase, double from) {
+  pass("prepare", [&](const Group& group, const Block& block) {
+    Prepare* prepare = kernels_of(group, method).prepare[static_cast<int>(group.motion)];
+    prepare(group.kernel, method, phase, block.first, block.last);
+  });
+  sum_forces(method, phase, from + method.offset[phase]);
+  pass("evaluate", [&](const Group& group, const Block& block) {
+    kernels_->evaluate[static_cast<int>(group.motion)](group.kernel, phase, block.first, block.last);
+  });
 }
 
 /// Contacts stiffen as bodies are pressed together: a step that was stable may be so no longer.
@@ -212,8 +222,8 @@ void World::run_users(const Group& group, const Block& block, double time) {
 }
 
 /// The first body in the order of ids that is not finite. Only the first such step of a run is looked at.
-void World::report_non_finite() {
-  if (status_.code == Status::Code::non_finite) return;
+void World::report_non_finite(const Moved& moved) {
+  if (moved.finite || status_.code == Status::Code::non_finite) return;
   std::optional<std::size_t> first;
   for (const Group& group : groups_) {
     for (std::size_t row = 0; row < group.live; ++row) {

@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/clock.h"
 #include "engine/core/workers.h"
 #include "engine/integrators/rows.h"
+#include "engine/integrators/step_control.h"
 #include "engine/store/columns.h"
 #include "engine/world/contact_step.h"
 #include "engine/world/inertia.h"
@@ -38,10 +40,11 @@ struct Group {
   std::vector<EffectInstance> instances;                            ///< what kernel.forces points to
   std::vector<std::size_t> users;                                   ///< indices of user effects
   StepGroup kernel;
-  Real* force_sums[3] = {};   ///< staged path with user effects or forces between bodies
-  Real* torque_sums[3] = {};  ///< likewise, where a user effect or contact friction turns the bodies
-  std::vector<Real*> rates;   ///< staged path: what kernel.rates points to
-  std::vector<Real*> carry;   ///< compensated summation: what kernel.carry points to
+  Real* force_sums[3] = {};         ///< staged path with user effects or forces between bodies
+  Real* torque_sums[3] = {};        ///< likewise, where a user effect or contact friction turns the bodies
+  std::vector<Real*> rates;         ///< staged path, and rates kept between steps: what kernel.rates points to
+  std::vector<Real*> rate_columns;  ///< where they are in memory: sets as at the start, see World::arrange_rates
+  std::vector<Real*> carry;         ///< compensated summation: what kernel.carry points to
 
   bool turns() const { return carried >= MotionKind::oriented; }
   bool spins() const { return carried != MotionKind::point; }
@@ -52,6 +55,17 @@ struct Group {
 
 struct Block {
   std::size_t group = 0, first = 0, last = 0;  ///< rows of the group, the padding included
+};
+
+/// Time as a sum of steps, with what rounding takes from it (Knuth's two-sum).
+struct Elapsed {
+  double time = 0, rest = 0;
+  /// By h, to `exactly` that time if it is given.
+  void advance(double h, std::optional<double> exactly) {
+    const double add = h + rest, sum = time + add, part = sum - time;
+    rest = exactly ? 0 : (time - (sum - part)) + (add - part);
+    time = exactly.value_or(sum);
+  }
 };
 
 /// What happens at a time. A step that holds it is split there.
@@ -65,8 +79,9 @@ class World : public WorldInterface {
   World(const Scene& scene, const Options& options, std::vector<UserEffect> user_effects);
 
   void step(std::uint64_t n) override;
-  double step_size() const override { return step_; }
-  double time() const override { return static_cast<double>(counters_.steps) * step_; }
+  void advance_to(double t, std::uint64_t most_steps) override;
+  double step_size() const override { return adaptive_ ? control_.step : step_; }
+  double time() const override { return adaptive_ ? elapsed_.time : static_cast<double>(counters_.steps) * step_; }
   const Status& status() const override { return status_; }
   Counters counters() const override;
   std::size_t body_count() const override { return per_copy_ * copies_; }
@@ -98,7 +113,8 @@ class World : public WorldInterface {
   // step.cpp
   void one_step();
   void advance(double from, double h);
-  void smooth_motion(const Method& method, double from);
+  void take_effect(const Event& event);
+  Moved smooth_motion(const Method& method, double from);
   void contact_substeps(double from, double h);
   void watch_contact_stiffness();
   // stability.cpp
@@ -106,8 +122,11 @@ class World : public WorldInterface {
   Stiffness beside_contacts() const;
   void activate_windows(double from, double h);
   const FamilyKernels& kernels_of(const Group& group, const Method& method) const;
-  void fused_pass(const Method& method);
-  void staged_passes(const Method& method, double from);
+  Moved fused_pass(const Method& method);
+  Moved staged_passes(const Method& method, double from);
+  void staged_phase(const Method& method, int phase, double from);
+  template <class Move>
+  Moved moving_pass(const char* name, Move move);
   void sum_forces(const Method& method, int phase, double time);
   void run_users(const Group& group, const Block& block, double time);
   template <class Action>
@@ -115,8 +134,24 @@ class World : public WorldInterface {
   template <class Task>
   void pass(const char* name, Task task);
   void record(const char* name, double seconds);
-  void report_non_finite();
+  void report_non_finite(const Moved& moved);
   void add_event(const Event& event);
+
+  // adaptive.cpp
+  void adaptive_step(double limit);
+  void due_events();
+  void accept_try();
+  void take_back();
+  void get_stuck(bool finite);
+  double first_step();
+  void evaluate_start();
+
+  // kept_rates.cpp
+  void turn_rates();
+  void arrange_rates();
+  void forget_rates();
+  std::vector<double> pace() const;
+  void set_pace(const std::vector<double>& pace);
 
   // bodies.cpp
   std::uint64_t structure() const;
@@ -136,11 +171,22 @@ class World : public WorldInterface {
   std::size_t next_event_ = 0;
   const Row* row_ = nullptr;
   Method method_;
+  Method starter_;                 ///< multistep: of its first steps
+  int known_sets_ = 0;             ///< multistep: rates of earlier steps at hand
+  std::vector<std::size_t> ring_;  ///< sets of rates that take turns
+  std::size_t turns_ = 0;          ///< how often kept rates took the place of older ones, see arrange_rates
+  bool adaptive_ = false;          ///< steps as large as run.tolerance allows
+  Method unit_;                    ///< adaptive: for a step of 1 s
+  StepControl control_;
+  Elapsed elapsed_;
+  bool keeps_rates_ = false;               ///< adaptive: the last phase of a step serves as the first of the next
+  bool stuck_ = false;                     ///< adaptive: no step is small enough
+  std::vector<Moved> moved_;               ///< of each block
   Method contact_method_;                  ///< of a substep between contacts
   std::unique_ptr<ContactStep> contacts_;  ///< none: bodies do not touch
   ImpulseStep* impulse_ = nullptr;         ///< contacts_, as what it is
   PenaltyStep* penalty_ = nullptr;
-  double step_ = 0;
+  double step_ = 0, duration_ = 0;
   bool fused_ = true;
   std::string path_reason_;
   std::size_t per_copy_ = 0, copies_ = 1;
@@ -154,6 +200,24 @@ class World : public WorldInterface {
   std::vector<PassTime> pass_times_;
   std::vector<double> bytes_per_call_;  ///< of the passes in pass_times_
 };
+
+/// Runs the action, timed if asked for.
+template <class Action>
+void World::timed(const char* name, Action action) {
+  const double begin = profiling_ ? seconds_now() : 0;
+  action();
+  if (profiling_) record(name, seconds_now() - begin);
+}
+
+/// One parallel sweep over all blocks, timed if asked for.
+template <class Task>
+void World::pass(const char* name, Task task) {
+  const auto run = [&](std::size_t b) {
+    const Block& block = blocks_[b];
+    task(groups_[block.group], block);
+  };
+  timed(name, [&] { workers_.for_each(blocks_.size(), run, small_ ? 1 : threads()); });
+}
 
 /// Calls f with the motion's type, as `f.template operator()<M>()`.
 template <class F>

@@ -44,6 +44,8 @@ struct IntegratorDescription {
   std::string family;
   int order = 0;
   int evaluations = 0;         ///< of all forces, per step
+  bool adaptive = false;       ///< has an embedded estimate of its error: takes run.tolerance in place of run.step
+  int start_steps = 0;         ///< multistep: first steps, which rk4 takes
   bool symplectic = false;     ///< for forces that do not read velocity
   double real_limit = 0;       ///< stability: h |lambda| for y' = lambda y, lambda < 0; 0: takes no such force
   double imaginary_limit = 0;  ///< stability: h omega for x'' = -omega^2 x; 0: always grows

@@ -12,7 +12,7 @@ namespace ballpark {
 /// How a run stands: the gravest thing that went wrong, when it first did. The sentence names the lesser ones before
 /// it.
 struct Status {
-  enum class Code { ok, stability, non_finite };
+  enum class Code { ok, stability, accuracy, non_finite };
   Code code = Code::ok;
   std::string sentence = "ok";
   std::size_t body = 0;  ///< id of the first offender, where there is one
@@ -23,6 +23,7 @@ const char* name(Status::Code code);
 
 struct Counters {
   std::uint64_t steps = 0;
+  std::uint64_t rejected_steps = 0;                 ///< tried with a tolerance, and taken back
   std::uint64_t force_evaluations = 0;              ///< evaluations of all forces (not per body)
   std::uint64_t pairs = 0;                          ///< candidates of the broad phase, over all steps
   std::uint64_t contacts = 0;                       ///< contacts that bore a load, over all substeps
@@ -55,7 +56,7 @@ struct Totals {
 };
 
 struct ColumnReport {
-  std::string name, unit, role, group;  ///< role: state | rate | sum | constant
+  std::string name, unit, role, group;  ///< role: state | kept | rate | sum | constant
   int components = 1;
   double bytes_per_body = 0;
   std::string why;  ///< who asked for it

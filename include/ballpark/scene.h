@@ -132,9 +132,12 @@ struct ContactSettings {
 };
 
 struct RunSettings {
-  double duration = 0;                   ///< [s], >= 0
-  double step = 0;                       ///< [s], > 0
-  std::string integrator = "rk4";        ///< a name of `integrators()`
+  double duration = 0;  ///< [s], >= 0
+  double step = 0;      ///< [s], > 0; or a tolerance, and no step
+  /// Of an embedded pair: error of a step over the size of each body's position, velocity, spin and orientation
+  double tolerance = 0;
+  double absolute_tolerance = 0;   ///< beside which, where those are small [m, m/s, rad/s, rad]; 0: as `tolerance`
+  std::string integrator = "rk4";  ///< a name of `integrators()`
   std::string rotation = "renormalise";  ///< orientation is normalised after each step
   std::vector<std::string> accept = {};  ///< "stability": run although a stability limit is exceeded; still reported
   bool compensated = false;  ///< compensated summation of the state: long runs lose less to rounding, for a column more

@@ -94,7 +94,8 @@ struct RunReport {
   std::string integrator;
   std::string contact;      ///< kind of formulation; "" if bodies do not touch
   double largest_step = 0;  ///< penalty: stable for the contacts of the run [s]; 0: none is
-  double step = 0;          ///< [s]
+  double step = 0;          ///< [s]; 0: chosen by the tolerance
+  double tolerance = 0;     ///< 0: the step was given
   double wall_seconds = 0;  ///< stepping only
   double body_steps_per_second = 0;
   int threads = 1;

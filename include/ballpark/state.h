@@ -38,6 +38,7 @@ struct Snapshot {
   Counters counters;
   Status status;
   std::vector<std::vector<std::byte>> columns;
+  std::vector<double> pace;         ///< what multistep and adaptive methods carry from step to step
   std::vector<std::byte> contacts;  ///< impulses that the contacts of the last step bore
 };
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,11 +31,13 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
-  /// n whole steps of the scene's step. Never throws; what goes wrong is in status().
+  /// n whole steps of the scene's step; with a tolerance, n accepted ones. Never throws; what goes wrong is in
+  /// status().
   void step(std::uint64_t n = 1);
-  /// Whole steps while the next one does not pass t (to 1e-9 of a step); the remainder is kept for the next call.
-  void advance_to(double t);
-  double time() const;  ///< t0 + n h [s], never a running sum
+  /// Whole steps while the next one does not pass t (to 1e-9 of a step); the remainder is kept for the next call. With
+  /// a tolerance: to t exactly, unless no step is small enough (Status::Code::accuracy). No more than `most_steps`.
+  void advance_to(double t, std::uint64_t most_steps = std::numeric_limits<std::uint64_t>::max());
+  double time() const;  ///< t0 + n h [s], never a running sum; with a tolerance, the compensated sum of steps
   std::uint64_t steps() const;
   const Status& status() const;
   Counters counters() const;

@@ -41,8 +41,7 @@ Exit check_scene(const Arguments& arguments) {
     const scenes::SceneFile file = load_scene(arguments);
     const std::vector<std::string> warnings = try_to_start(file, arguments, options);
     const std::string bodies = counted(body_count(file.scene), "body", "bodies");
-    delivery.text(fmt::format("ok: {} ({}, {} s in steps of {} s, {})\n", file.scene.name, bodies,
-                              number(file.scene.run.duration), number(file.scene.run.step), file.scene.run.integrator));
+    delivery.text(fmt::format("ok: {} ({}, {})\n", file.scene.name, bodies, pace_text(file.scene.run)));
     const Json json{{"ok", true},
                     {"scenario", file.scene.name},
                     {"file", file.path},

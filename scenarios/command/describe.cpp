@@ -98,13 +98,21 @@ Description describe_effect(const EffectDescription& effect) {
   return {text, json};
 }
 
+std::string cost_of(const IntegratorDescription& row) {
+  const auto evaluations = static_cast<std::uint64_t>(row.evaluations);
+  std::string cost = counted(evaluations, "evaluation", "evaluations") + " of all forces per step";
+  if (row.start_steps > 0)
+    cost += fmt::format("; the first {} by rk4, 4 each, and again after an impulse", row.start_steps);
+  return cost;
+}
+
 Description describe_integrator(const IntegratorDescription& row) {
   Page text = titled(row.name, "an integrator", row.doc);
   text.heading("Properties");
   text.fields({{"family", row.family},
                {"order", std::to_string(row.order)},
-               {"cost", counted(static_cast<std::uint64_t>(row.evaluations), "evaluation", "evaluations") +
-                            " of all forces per step"},
+               {"cost", cost_of(row)},
+               {"step", row.adaptive ? "given, or chosen by a tolerance" : "given"},
                {"symplectic", row.symplectic ? "yes, for forces that do not read velocity" : "no"},
                {"stable, decay", row.real_limit == 0 ? "not for forces that read velocity: refused"
                                                      : "step * |lambda| up to " + number(row.real_limit) +
@@ -146,11 +154,10 @@ Description describe_scenario(const std::string& name, const std::string& path) 
   for (const Effect& effect : file.scene.effects) effects.push_back(effect.kind);
   for (const auto& expectation : file.expectations) expectations.push_back(expectation_text(expectation));
   text.heading("Facts");
-  text.fields(
-      {{"bodies", or_none(group_lines(file.scene))},
-       {"effects", or_none(effects)},
-       {"run", fmt::format("{} s in steps of {} s, {}", number(run.duration), number(run.step), run.integrator)},
-       {"file", path}});
+  text.fields({{"bodies", or_none(group_lines(file.scene))},
+               {"effects", or_none(effects)},
+               {"run", pace_text(run)},
+               {"file", path}});
   if (!expectations.empty()) text.heading("Expected");
   text.list(expectations);
   Json json{{"name", name},
@@ -161,7 +168,8 @@ Description describe_scenario(const std::string& name, const std::string& path) 
             {"bodies", body_count(file.scene)},
             {"effects", effects},
             {"duration", run.duration},
-            {"step", run.step},
+            {"step", run.tolerance > 0 ? Json(nullptr) : Json(run.step)},
+            {"tolerance", run.tolerance > 0 ? Json(run.tolerance) : Json(nullptr)},
             {"integrator", run.integrator},
             {"expectations", expectations}};
   return {text, json};

@@ -41,7 +41,13 @@ struct Runner {
   }
 };
 
+/// Of a whole run; with a tolerance, of one to look at.
 std::uint64_t steps_of(const Scene& scene) {
+  if (scene.run.tolerance > 0) {
+    World world(scene);
+    world.advance_to(scene.run.duration, 100000);
+    return std::max<std::uint64_t>(1, world.steps());
+  }
   return static_cast<std::uint64_t>(std::max(1.0, std::floor(scene.run.duration / scene.run.step + 1e-9)));
 }
 

@@ -103,12 +103,19 @@ void add_contact_facts(std::vector<std::pair<std::string, Cell>>& facts, const R
   facts.insert(facts.end() - 2, fields.begin(), fields.end());  // before the hash
 }
 
+std::string steps_text(const RunReport& report) {
+  const std::string steps = grouped(report.counters.steps);
+  if (report.tolerance == 0) return fmt::format("{} of {} s ({})", steps, number(report.step), report.integrator);
+  return fmt::format("{} at a tolerance of {} ({}), {} more rejected", steps, number(report.tolerance),
+                     report.integrator, grouped(report.counters.rejected_steps));
+}
+
 void add_facts(Page& text, const RunReport& report, const Scene& scene) {
   const std::string threads = counted(static_cast<std::uint64_t>(report.threads), "thread", "threads");
   std::vector<std::pair<std::string, Cell>> facts{
       {"bodies", grouped(report.bodies)},
       {"simulated time", number(report.time) + " s"},
-      {"steps", fmt::format("{} of {} s ({})", grouped(report.counters.steps), number(report.step), report.integrator)},
+      {"steps", steps_text(report)},
       {"force evaluations", grouped(report.counters.force_evaluations)},
       {"wall time", fmt::format("{} ({}, {}, {}, {} path)", seconds(report.wall_seconds), threads, report.precision,
                                 report.target, report.path)},

@@ -85,6 +85,12 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   return fmt::format("{}", fmt::join(words, separator));
 }
 
+std::string pace_text(const RunSettings& run) {
+  const std::string pace =
+      run.tolerance > 0 ? "at a tolerance of " + number(run.tolerance) : "in steps of " + number(run.step) + " s";
+  return fmt::format("{} s {}, {}", number(run.duration), pace, run.integrator);
+}
+
 std::size_t width(const std::string& text) {
   std::size_t n = 0;
   for (unsigned char c : text) n += (c & 0xC0) != 0x80;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ballpark/scene.h"
+
 namespace ballpark::command {
 
 std::string grouped(std::uint64_t n);                                                   ///< 1,000,000
@@ -14,6 +16,9 @@ std::string bytes(double n);                                                    
 std::string rate(double per_second);                                                    ///< 12.3 million
 std::string counted(std::uint64_t n, const std::string& one, const std::string& many);  ///< 1 body, 2 bodies
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ");
+
+/// "10 s in steps of 0.001 s, rk4"
+std::string pace_text(const RunSettings& run);
 
 /// Characters on a terminal: UTF-8 code points.
 std::size_t width(const std::string& text);

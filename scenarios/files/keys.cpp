@@ -48,7 +48,13 @@ Rows top_rows() {
 Rows run_rows() {
   return {
       Row("duration", number, "s", into(&RunSettings::duration), "Simulated time.").in(not_negative).must(),
-      Row("step", number, "s", into(&RunSettings::step), "Length of one step.").in(positive).must(),
+      Row("step", number, "s", into(&RunSettings::step), "Length of one step; or give a tolerance.").in(positive),
+      Row("tolerance", number, "", into(&RunSettings::tolerance),
+          "Error of a step over the size of what it moves, instead of a step: for integrators with an estimate of it.")
+          .in(positive),
+      Row("absolute_tolerance", number, "m, m/s, rad/s", into(&RunSettings::absolute_tolerance),
+          "What a step may err by where bodies are at or near zero; the tolerance itself if left out.")
+          .in(positive),
       Row("integrator", word, "", into(&RunSettings::integrator), "The method (`ballpark list integrators`).")
           .one_of(names_of(integrators()))
           .otherwise("\"rk4\""),

@@ -136,7 +136,19 @@ Node* child_of(Node& node, const std::string& segment) {
                             hint(segment, choices))};
 }
 
+/// A run has a step or a tolerance: to ask for one takes the other out of the scene.
+void make_way(const std::string& key, Node& document) {
+  const bool step = key == "run.step", tolerance = key == "run.tolerance";
+  Node* run = child_of(document, "run");
+  if (auto* table = run && (step || tolerance) ? std::get_if<Table>(&run->value) : nullptr) {
+    std::erase_if(*table, [&](const Entry& entry) {
+      return step ? entry.key == "tolerance" || entry.key == "absolute_tolerance" : entry.key == "step";
+    });
+  }
+}
+
 void apply(const Override& change, const Place& place, Node& document) {
+  make_way(change.key, document);
   Node value = value_of(change.value, place);
   const std::vector<std::string> segments = segments_of(change.key);
   Node* node = &document;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "scenarios/files/judge.h"
 #include "scenarios/files/timetable.h"
@@ -38,36 +39,48 @@ double seconds_since(Clock::time_point start) {
 /// time that the steps took.
 class Driver {
  public:
-  Driver(World& world, const RunHooks& hooks, std::uint64_t total) : world_(world), hooks_(hooks), total_(total) {}
+  Driver(World& world, const RunHooks& hooks, const Pace& pace) : world_(world), hooks_(hooks), pace_(pace) {}
 
-  /// False if the run was interrupted on the way.
-  bool advance(std::uint64_t step) {
-    while (world_.steps() < step) {
-      const std::uint64_t left = step - world_.steps();
-      walk(hooks_.progress ? std::min(chunk_, left) : left);
+  /// On the axis of the pace.
+  double now() const { return pace_.by_steps() ? static_cast<double>(world_.steps()) : world_.time(); }
+
+  /// False if the run was interrupted on the way, or can go no farther.
+  bool advance(double place) {
+    while (now() < place) {
+      const double before = now();
+      walk(place);
+      if (now() == before) return false;
       if (!hooks_.progress || seconds_since(last_progress_) < 0.1) continue;
       last_progress_ = Clock::now();
-      const double fraction = static_cast<double>(world_.steps()) / static_cast<double>(total_);
-      if (!hooks_.progress(fraction)) return false;
+      interrupted_ = !hooks_.progress(now() / pace_.end());
+      if (interrupted_) return false;
     }
     return true;
   }
 
+  bool interrupted() const { return interrupted_; }
   double seconds() const { return seconds_; }
 
  private:
-  void walk(std::uint64_t steps) {
+  void walk(double place) {
+    constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+    const std::uint64_t steps = hooks_.progress ? chunk_ : no_limit;
     const Clock::time_point start = Clock::now();
-    world_.step(steps);
+    if (pace_.by_steps()) {
+      world_.step(std::min(steps, static_cast<std::uint64_t>(place) - world_.steps()));
+    } else {
+      world_.advance_to(place, steps);
+    }
     const double taken = seconds_since(start);
     seconds_ += taken;
-    if (steps == chunk_ && taken < 0.02) chunk_ *= 2;
+    if (taken < 0.02 && chunk_ < no_limit / 2) chunk_ *= 2;
     if (taken > 0.1) chunk_ = std::max<std::uint64_t>(1, chunk_ / 2);
   }
 
   World& world_;
   const RunHooks& hooks_;
-  std::uint64_t total_;
+  const Pace& pace_;
+  bool interrupted_ = false;
   std::uint64_t chunk_ = 1;
   double seconds_ = 0;
   Clock::time_point last_progress_ = Clock::now();
@@ -78,27 +91,24 @@ class Run {
   Run(const SceneFile& file, const Options& options, const RunHooks& hooks)
       : file_(file),
         hooks_(hooks),
-        steps_(file.scene.run.duration, file.scene.run.step),
+        pace_(file.scene.run),
         world_(file.scene, options),
         initial_(world_.totals()),
         path_(world_.explain().path),
-        driver_(world_, hooks, steps_.count()),
+        driver_(world_, hooks, pace_),
         judge_(file, world_, report()) {
     plan();
   }
 
   RunReport finish() {
-    bool interrupted = false;
-    while (!interrupted) {
+    do {
       serve();
-      if (world_.steps() >= steps_.count()) break;
-      interrupted = !driver_.advance(next_stop());
-    }
+    } while (driver_.now() < pace_.end() && driver_.advance(next_stop()));
     RunReport last = report();
     last.state_hash = fmt::format("{:016x}", world_.state_hash());
     last.verdicts = judge_.verdicts();
     last.warnings = warnings();
-    last.interrupted = interrupted;
+    last.interrupted = driver_.interrupted();
     return last;
   }
 
@@ -110,39 +120,38 @@ class Run {
   };
 
   void plan() {
-    const double h = file_.scene.run.step;
     for (std::size_t i = 0; i < std::min(file_.outputs.size(), hooks_.writers.size()); ++i) {
       const OutputRequest& output = file_.outputs[i];
       const auto write = [this, i] { hooks_.writers[i](world_); };
       if (output.every) {
-        duties_.push_back({Occasions(*output.every / h, steps_.count()), write});
+        duties_.push_back({Occasions(pace_.length(*output.every), pace_), write});
       } else {
-        duties_.push_back({Occasions(nearest_steps(output.at)), write});
+        duties_.push_back({Occasions(places(output.at)), write});
       }
     }
     for (std::size_t i = 0; i < file_.expectations.size(); ++i) {
       const double at = file_.expectations[i].at.value_or(file_.scene.run.duration);
       const auto measure = [this, i] { judge_.measure(i, world_, [this] { return report(); }); };
-      duties_.push_back({Occasions(nearest_steps({at})), measure});
+      duties_.push_back({Occasions(places({at})), measure});
     }
   }
 
-  std::vector<std::uint64_t> nearest_steps(const std::vector<double>& times) const {
-    std::vector<std::uint64_t> list;
-    for (const double time : times) list.push_back(steps_.nearest(time));
+  std::vector<double> places(const std::vector<double>& times) const {
+    std::vector<double> list;
+    for (const double time : times) list.push_back(pace_.at(time));
     return list;
   }
 
   void serve() {
     for (Duty& duty : duties_) {
-      if (duty.occasions.next() != world_.steps()) continue;
+      if (duty.occasions.next() != driver_.now()) continue;
       duty.action();
       duty.occasions.pass();
     }
   }
 
-  std::uint64_t next_stop() const {
-    std::uint64_t stop = steps_.count();
+  double next_stop() const {
+    double stop = pace_.end();
     for (const Duty& duty : duties_) stop = std::min(stop, duty.occasions.next().value_or(stop));
     return stop;
   }
@@ -159,6 +168,7 @@ class Run {
     now.contact = file_.scene.contact.kind;
     if (now.contact == "penalty") now.largest_step = world_.explain().contact.largest_step;
     now.step = file_.scene.run.step;
+    now.tolerance = file_.scene.run.tolerance;
     now.wall_seconds = driver_.seconds();
     now.body_steps_per_second =
         ratio(static_cast<double>(now.bodies) * static_cast<double>(now.counters.steps), now.wall_seconds);
@@ -207,13 +217,13 @@ class Run {
   std::vector<std::string> warnings() const {
     std::vector<std::string> list;
     const RunSettings& run = file_.scene.run;
-    if (steps_.remainder() > 0) {
+    if (pace_.remainder() > 0) {
       list.push_back(
           fmt::format("run.duration = {} s is not a whole number of steps of {} s: the last {:.6g} s are not run",
-                      run.duration, run.step, steps_.remainder()));
+                      run.duration, run.step, pace_.remainder()));
     }
     for (std::size_t i = 0; i < file_.outputs.size(); ++i) {
-      if (file_.outputs[i].every.value_or(run.step) >= run.step * (1 - 1e-9)) continue;
+      if (!pace_.by_steps() || file_.outputs[i].every.value_or(run.step) >= run.step * (1 - 1e-9)) continue;
       list.push_back(fmt::format("output[{}].every = {} s is shorter than a step: one frame is written each step", i,
                                  *file_.outputs[i].every));
     }
@@ -245,7 +255,7 @@ class Run {
 
   const SceneFile& file_;
   const RunHooks& hooks_;
-  Steps steps_;
+  Pace pace_;
   World world_;
   Totals initial_;
   std::string path_;

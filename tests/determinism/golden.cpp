@@ -36,8 +36,11 @@ const Golden by_integrator[] = {
     {"rk3", 0x1580a4ab25f97401, 0xb6da419ccd715deb},
     {"rk4", 0x981f4b05e862cdab, 0xcb54bb583943abfe},
     {"rk4_38", 0xa747ed0dc8cd6378, 0xe282905e7999681f},
-    {"dormand_prince5", 0x9d3af561360d209d, 0x6f1f7a36799fb542},
     {"taylor2", 0x71c8e9a99ad80891, 0x38608e674a41efaf},
+    {"bogacki_shampine3", 0x2bc452f9e6e2f676, 0xa7cd9034cbc910dd},
+    {"dormand_prince5", 0x9d3af561360d209d, 0x6f1f7a36799fb542},
+    {"tsitouras5", 0xc1b0aaee6bb55c3b, 0xdc2c6023a5e1b505},
+    {"dormand_prince8", 0xc35d08665f14a33c, 0x3e0ab74ae0d6b2d3},
     {"semi_implicit_euler", 0x9d4b90f461977b4b, 0xe84aa7a67da286b8},
     {"velocity_verlet", 0xfbb91983deb92f39, 0x96a1566788b4651e},
     {"ruth3", 0xf86ab111bf63e6b9, 0xf2f1521ab349e592},
@@ -45,6 +48,11 @@ const Golden by_integrator[] = {
     {"yoshida4", 0xa36382c9dacf9301, 0x38d7c955d8e68c7e},
     {"pefrl", 0xe37f46285f6da42e, 0x596275fb564b4f2},
     {"yoshida6", 0xdc57746e72db7cd5, 0xda6587f055a642de},
+    {"ab2", 0x103745a930ee4394, 0x4b0986555bec3bfb},
+    {"ab3", 0xb798f3ec4e450909, 0x28b394e0b8f4c87e},
+    {"ab4", 0xe746f037b575463f, 0x2784c6541aa825cd},
+    {"ab5", 0x881134fcb7396dcc, 0x1d1fd7ffbb991678},
+    {"abm4", 0x7a8cbc94037c9654, 0xafc2c00613319bc4},
 };
 
 std::string row(const Golden& golden) {

@@ -153,8 +153,8 @@ inline std::string difference(const RandomGroup& a, const RandomGroup& b) {
   return "";
 }
 
-/// A step of all rows on the path; returns whether the kernel found everything finite.
-inline bool step(const KernelTable& table, const Method& method, int motion, bool fused, const StepGroup& group) {
+/// A step of all rows on the path; returns what the kernel tells.
+inline Moved step(const KernelTable& table, const Method& method, int motion, bool fused, const StepGroup& group) {
   const FamilyKernels& kernels = table.family(method.family, group.carry != nullptr);
   if (fused) return kernels.fused[motion](group, method, 0, rows);
   for (int phase = 0; phase < method.phases; ++phase) {
@@ -168,20 +168,24 @@ template <int>
 using Scalar = Real;
 
 /// One random group, moved by the oracle and by the target's kernels. A chained method's oracle keeps every stage.
-inline void compare(const KernelTable& kernels, const Row& row, int motion, bool compensated, unsigned seed) {
+inline void compare(const KernelTable& kernels, const Row& row, const Method& method, int motion, bool compensated,
+                    unsigned seed) {
   static constexpr KernelTable scalar = table_of_all_motions<Scalar>("scalar");
-  const Method method = method_for(row, 0.01);
   Method plain = method;
   plain.family = row.family;
   for (const bool fused : {true, false}) {
-    CAPTURE(kernels.target, row.name, motion, compensated, seed, fused);
+    CAPTURE(kernels.target, row.name, method.errors, motion, compensated, seed, fused);
     RandomGroup one(seed, compensated), other(seed, compensated);
     const RandomGroup before(seed, compensated);
     REQUIRE(difference(one, other).empty());
-    const bool finite = step(scalar, plain, motion, fused, one.kernel);
-    CHECK(step(kernels, method, motion, fused, other.kernel) == finite);
+    const Moved expected = step(scalar, plain, motion, fused, one.kernel);
+    const Moved moved = step(kernels, method, motion, fused, other.kernel);
+    CHECK(moved.finite == expected.finite);
     CHECK(difference(one, other) == "");
     CHECK(difference(one, before) != "");
+    if (!expected.finite) continue;
+    CHECK(moved.over == expected.over);
+    CHECK((expected.over > 0) == (method.errors > 0));
   }
 }
 
@@ -191,7 +195,13 @@ inline void compare_everything() {
     REQUIRE(kernels != nullptr);
     for (const Row& row : BALLPARK_PRECISION::rows()) {
       for (int motion = 0; motion < motion_count; ++motion) {
-        for (unsigned seed = 1; seed <= 8; ++seed) compare(*kernels, row, motion, seed % 2 == 0, seed);
+        for (unsigned seed = 1; seed <= 8; ++seed) {
+          compare(*kernels, row, method_for(row, 0.01), motion, seed % 2 == 0, seed);
+        }
+        if (!row.embeds()) continue;
+        Method pair = pair_for(row, 1e-6, 1e-6);
+        scale(pair_for(row, 1e-6, 1e-6), 0.01, pair);
+        for (unsigned seed = 1; seed <= 4; ++seed) compare(*kernels, row, pair, motion, false, seed);
       }
     }
   }

@@ -1,7 +1,9 @@
 // Order conditions of every order, generated rather than listed.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -64,6 +66,18 @@ int order_met(const A& a, const long double* b, int stages, int most, long doubl
     if (std::abs(sum - 1 / tree.density) > precision) met = std::min(met, tree.vertices - 1);
   }
   return met;
+}
+
+/// R(w) of a Runge-Kutta row on y' = lambda y, w = h lambda, stage by stage. (HNW II, IV.2)
+inline std::complex<long double> stability_function(const f64::Row& row, std::complex<long double> w) {
+  std::complex<long double> k[f64::max_phases], next = 1;
+  for (int i = 0; i < row.phases; ++i) {
+    std::complex<long double> y = 1;
+    for (int j = 0; j < i; ++j) y += row.a[i][j] * k[j];
+    k[i] = w * y;
+    next += row.b[i] * k[i];
+  }
+  return next;
 }
 
 /// A series in two operators that do not commute, drift and kick: a coefficient for each word of up to `most` letters.

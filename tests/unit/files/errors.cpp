@@ -65,7 +65,7 @@ TEST_CASE("Scene files: unknown keys are named with the nearest known one", "[fi
       {"material", drifting + "[materials.steel]\nfricton = 0.1\n", 10, 1, "materials.steel.fricton", "\"friction\"?"},
       {"boundary", drifting + "[contact]\nkind = \"impulse\"\n[[boundaries]]\nshape = \"plane\"\nnormall = [0, 0, 1]\n",
        13, 1, "boundaries[0].normall", "\"normal\"?"},
-      {"what does not exist yet", "[run]\nduration = 1\nstep = 1\ntolerance = 1e-8\n", 4, 1, "run.tolerance",
+      {"what does not exist yet", "[run]\nduration = 1\nstep = 1\ntolerances = 1e-8\n", 4, 1, "run.tolerances",
        "unknown key"},
   });
 }
@@ -123,7 +123,7 @@ TEST_CASE("Scene files: what must be there is missed at its table", "[files]") {
   require_each({
       {"empty", "", 1, 1, "run", "is missing"},
       {"duration", "\n[run]\nstep = 1\n", 2, 1, "run.duration", "is missing, expected a number >= 0 [s]"},
-      {"step", "[run]\nduration = 1\n", 1, 1, "run.step", "is missing"},
+      {"step", "[run]\nduration = 1\n", 1, 1, "run.step", "is not given, expected a number > 0 [s], or run.tolerance"},
       {"mass", with_body("position = [0, 0, 0]\n"), 4, 1, "bodies[0].mass", "is missing"},
       {"radius of a sphere", with_body("mass = 1\nshape = \"sphere\"\nposition = [0, 0, 0]\n"), 4, 1,
        "bodies[0].radius", "is missing"},

@@ -56,7 +56,7 @@ TEST_CASE("Scene files: the message has a line for each problem", "[files]") {
     FAIL("accepted");
   } catch (const ballpark::scenes::SceneFileError& error) {
     const std::string text = error.what();
-    CHECK(contains(text, "a.toml:1:1: run.step: is missing"));
+    CHECK(contains(text, "a.toml:1:1: run.step: is not given"));
     CHECK(contains(text, "\na.toml:3:1: run.stp: is an unknown key, expected one of duration, step,"));
     CHECK(contains(text, "did you mean \"step\"?\na.toml:4:1: run.x: "));
   }

@@ -21,10 +21,14 @@ RunReport run_text(const std::string& text, const RunHooks& hooks = {}) {
   return run(parse(text, "test.toml"), {}, hooks);
 }
 
-std::vector<std::uint64_t> all_of(Occasions occasions) {
-  std::vector<std::uint64_t> steps;
-  for (; occasions.next(); occasions.pass()) steps.push_back(*occasions.next());
-  return steps;
+std::vector<double> all_of(Occasions occasions) {
+  std::vector<double> places;
+  for (; occasions.next(); occasions.pass()) places.push_back(*occasions.next());
+  return places;
+}
+
+Pace in_steps(double duration, double step) {
+  return Pace({.duration = duration, .step = step});
 }
 
 }  // namespace
@@ -178,7 +182,7 @@ TEST_CASE("Runs: the JSON has every key, and numbers that can be read back", "[f
                           "expectations"}) {
     CHECK(json.contains(key));
   }
-  CHECK(json.size() == 32);
+  CHECK(json.size() == 33);
   CHECK(json.at("status").at("code") == "ok");
   CHECK(json.at("status").at("body").is_null());
   CHECK(json.at("time").get<double>() == report.time);
@@ -190,22 +194,57 @@ TEST_CASE("Runs: the JSON has every key, and numbers that can be read back", "[f
 }
 
 TEST_CASE("Timetable: whole steps of a duration", "[files]") {
-  CHECK(Steps(1.0, 0.1).count() == 10);
-  CHECK(Steps(0.3, 0.1).count() == 3);
-  CHECK(Steps(0.3, 0.1).remainder() == 0);
-  CHECK(Steps(1e6, 1e-3).count() == 1000000000);
-  CHECK(Steps(1.0, 0.3).count() == 3);
-  CHECK(close(Steps(1.0, 0.3).remainder(), 0.1));
-  CHECK(Steps(0.0, 0.1).count() == 0);
-  CHECK(Steps(0.05, 0.1).count() == 0);
-  CHECK(Steps(1.0, 0.1).nearest(0.26) == 3);
-  CHECK(Steps(1.0, 0.3).nearest(1.0) == 3);
+  CHECK(in_steps(1.0, 0.1).end() == 10);
+  CHECK(in_steps(0.3, 0.1).end() == 3);
+  CHECK(in_steps(0.3, 0.1).remainder() == 0);
+  CHECK(in_steps(1e6, 1e-3).end() == 1000000000);
+  CHECK(in_steps(1.0, 0.3).end() == 3);
+  CHECK(close(in_steps(1.0, 0.3).remainder(), 0.1));
+  CHECK(in_steps(0.0, 0.1).end() == 0);
+  CHECK(in_steps(0.05, 0.1).end() == 0);
+  CHECK(in_steps(1.0, 0.1).at(0.26) == 3);
+  CHECK(in_steps(1.0, 0.3).at(1.0) == 3);
 }
 
 TEST_CASE("Timetable: occasions ascend and do not repeat", "[files]") {
-  CHECK(all_of(Occasions({5, 1, 5, 0})) == std::vector<std::uint64_t>{0, 1, 5});
-  CHECK(all_of(Occasions(std::vector<std::uint64_t>{})).empty());
-  CHECK(all_of(Occasions(2.5, 10)) == std::vector<std::uint64_t>{0, 3, 5, 8, 10});
-  CHECK(all_of(Occasions(0.25, 3)) == std::vector<std::uint64_t>{0, 1, 2, 3});
-  CHECK(all_of(Occasions(7.0, 3)) == std::vector<std::uint64_t>{0});
+  CHECK(all_of(Occasions({5, 1, 5, 0})) == std::vector<double>{0, 1, 5});
+  CHECK(all_of(Occasions(std::vector<double>{})).empty());
+  CHECK(all_of(Occasions(2.5, in_steps(10, 1))) == std::vector<double>{0, 3, 5, 8, 10});
+  CHECK(all_of(Occasions(0.25, in_steps(3, 1))) == std::vector<double>{0, 1, 2, 3});
+  CHECK(all_of(Occasions(7.0, in_steps(3, 1))) == std::vector<double>{0});
+}
+
+TEST_CASE("Timetable: with a tolerance, times as they are given", "[files]") {
+  const Pace pace({.duration = 1, .tolerance = 1e-6});
+  CHECK_FALSE(pace.by_steps());
+  CHECK(pace.end() == 1);
+  CHECK(pace.at(0.26) == 0.26);
+  CHECK(pace.at(3) == 1);
+  CHECK(pace.remainder() == 0);
+  CHECK(all_of(Occasions(0.25, pace)) == std::vector<double>{0, 0.25, 0.5, 0.75, 1});
+  CHECK(all_of(Occasions(0.1, pace)).size() == 11);  // 10 * 0.1 is the end, whatever rounding makes of it
+}
+
+TEST_CASE("Runs: with a tolerance, outputs and expectations have their very times", "[files]") {
+  std::vector<double> times;
+  RunHooks hooks;
+  hooks.writers = {[&](const ballpark::World& world) { times.push_back(world.time()); }};
+  const std::string text =
+      "[run]\nduration = 2\ntolerance = 1e-9\nintegrator = \"tsitouras5\"\n"
+      "[[bodies]]\nname = \"p\"\nmass = 1\nposition = [[1, 0, 0]]\n"
+      "[[effects]]\nkind = \"spring\"\nanchor = [0, 0, 0]\nstiffness = 1\n"
+      "[[output]]\nevery = 0.5\nfile = \"x.csv\"\n"
+      "[[expect]]\nquantity = \"state.0.x\"\nat = 1.25\nvalue = 0.31532236239526867\ntolerance = 1e-7\n"
+      "[[expect]]\nquantity = \"state.0.x\"\nvalue = -0.4161468365471424\ntolerance = 1e-7\n"
+      "[[expect]]\nquantity = \"step\"\nmax = 0\n";
+  const RunReport without_progress = run_text(text.substr(0, text.rfind("[[expect]]")), hooks);
+  CHECK(times == std::vector<double>{0, 0.5, 1, 1.5, 2});
+  for (const auto& verdict : without_progress.verdicts) {
+    CAPTURE(verdict.sentence);
+    CHECK(verdict.met);
+  }
+  CHECK(without_progress.tolerance == 1e-9);
+  CHECK(without_progress.time == 2);
+  hooks.progress = [](double) { return true; };
+  CHECK(run_text(text.substr(0, text.rfind("[[expect]]")), hooks).state_hash == without_progress.state_hash);
 }

@@ -50,19 +50,20 @@ Scene generated() {
 }  // namespace
 
 TEST_CASE("Bad scenes: run settings", "[check]") {
-  check_cases(ball_scene(),
-              {{"run.duration", "is -1, expected a finite number >= 0 [s]", [](Scene& s) { s.run.duration = -1; }},
-               {"run.duration", "is nan", [](Scene& s) { s.run.duration = not_a_number; }},
-               {"run.duration", "is inf", [](Scene& s) { s.run.duration = inf; }},
-               {"run.step", "is 0, expected a finite number > 0 [s]", [](Scene& s) { s.run.step = 0; }},
-               {"run.step", "is -0.1", [](Scene& s) { s.run.step = -0.1; }},
-               {"run.step", "is nan", [](Scene& s) { s.run.step = not_a_number; }},
-               {"run.step", "more than 1e15 steps", [](Scene& s) { s.run.step = 1e-300; }},
-               {"run.integrator", "unknown integrator \"rk44\"; did you mean \"rk4\"?",
-                [](Scene& s) { s.run.integrator = "rk44"; }},
-               {"run.integrator", "expected one of euler", [](Scene& s) { s.run.integrator = ""; }},
-               {"run.rotation", "\"renormalise\"?", [](Scene& s) { s.run.rotation = "renormalize"; }},
-               {"run.accept[0]", "\"stability\"?", [](Scene& s) { s.run.accept = {"stabilty"}; }}});
+  check_cases(
+      ball_scene(),
+      {{"run.duration", "is -1, expected a finite number >= 0 [s]", [](Scene& s) { s.run.duration = -1; }},
+       {"run.duration", "is nan", [](Scene& s) { s.run.duration = not_a_number; }},
+       {"run.duration", "is inf", [](Scene& s) { s.run.duration = inf; }},
+       {"run.step", "is not given, expected a number > 0 [s], or run.tolerance", [](Scene& s) { s.run.step = 0; }},
+       {"run.step", "is -0.1", [](Scene& s) { s.run.step = -0.1; }},
+       {"run.step", "is nan", [](Scene& s) { s.run.step = not_a_number; }},
+       {"run.step", "more than 1e15 steps", [](Scene& s) { s.run.step = 1e-300; }},
+       {"run.integrator", "unknown integrator \"rk44\"; did you mean \"rk4\"?",
+        [](Scene& s) { s.run.integrator = "rk44"; }},
+       {"run.integrator", "expected one of euler", [](Scene& s) { s.run.integrator = ""; }},
+       {"run.rotation", "\"renormalise\"?", [](Scene& s) { s.run.rotation = "renormalize"; }},
+       {"run.accept[0]", "\"stability\"?", [](Scene& s) { s.run.accept = {"stabilty"}; }}});
 }
 
 TEST_CASE("Bad scenes: what bodies are", "[check]") {

@@ -52,7 +52,11 @@ TEST_CASE("Events: an impulse within a step acts at its very time", "[events]") 
     CHECK(close(world.body(0).position.x(), 0.5 * 5.75 * h, 1e-15));
     CHECK(world.time() == 16 * h);
     CHECK(world.steps() == 16);
-    CHECK(world.counters().force_evaluations == 17 * static_cast<std::uint64_t>(integrator.evaluations));
+    // Ten steps, one in two parts, five steps; multistep methods begin twice by rk4, which also takes the parts.
+    const int evaluations = integrator.evaluations, begin = integrator.start_steps;
+    const int parts = begin > 0 ? 2 * 4 : 2 * evaluations;
+    CHECK(world.counters().force_evaluations ==
+          static_cast<std::uint64_t>(15 * evaluations + 2 * begin * (4 - evaluations) + parts));
   }
 }
 

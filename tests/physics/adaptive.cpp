@@ -1,0 +1,182 @@
+// Steps chosen by a tolerance: how the error follows it, and that runs land, repeat, split and end as they should.
+#include "tests/catch.h"
+#include "tests/methods/rows.h"
+#include "tests/physics/problems.h"
+
+using namespace ballpark;
+using namespace ballpark::tests;
+
+namespace {
+
+std::vector<std::string> pairs() {
+  std::vector<std::string> names;
+  for (const IntegratorDescription& row : integrators()) {
+    if (row.adaptive) names.push_back(row.name);
+  }
+  return names;
+}
+
+Scene at_tolerance(Scene made, const std::string& integrator, double tolerance) {
+  made.run.integrator = integrator;
+  made.run.tolerance = tolerance;
+  made.run.step = 0;
+  made.run.compensated = false;
+  return made;
+}
+
+World at_end(const Scene& made, const Options& options = {}) {
+  World world(made, options);
+  world.advance_to(made.run.duration);
+  return world;
+}
+
+/// Slope of the least-squares line through points.
+long double slope_of(const std::vector<long double>& x, const std::vector<long double>& y) {
+  long double mean_x = 0, mean_y = 0, products = 0, squares = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += x[i] / static_cast<long double>(x.size());
+    mean_y += y[i] / static_cast<long double>(x.size());
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    products += (x[i] - mean_x) * (y[i] - mean_y);
+    squares += (x[i] - mean_x) * (x[i] - mean_x);
+  }
+  return products / squares;
+}
+
+/// Of all quantities of the problem, over the largest value of each.
+long double error_of(const ReferenceProblem& problem, const World& world) {
+  long double worst = 0;
+  for (const auto& quantity : problem.quantities) {
+    const long double error = largest_difference(quantity.measure(world), quantity.exact) / largest(quantity.exact);
+    worst = std::max(worst, error);
+  }
+  return worst;
+}
+
+Scene kicked_swing(const std::string& integrator) {
+  Scene made = at_tolerance(scene(particle({1, 0, 0}), {spring(1)}, 2, 1), integrator, 1e-8);
+  made.impulses = {{0.7, 0, {0.5, 0, 0}, Vector3d::Zero()}};
+  return made;
+}
+
+BodyGroup many_balls() {
+  BodyGroup group = ball();
+  group.position.clear();
+  for (int i = 0; i < 5000; ++i) group.position.push_back({0.01 * i, 1 + 0.001 * i, 2});
+  group.velocity = {{3, 1, 4}};
+  group.angular_velocity = {{0, 2, -1}};
+  group.orientation = {{0.6, 0, 0.8, 0}};
+  return group;
+}
+
+}  // namespace
+
+TEST_CASE("tolerance: the global error follows it, with a slope near 1 and below a thousand times it", "[physics]") {
+  for (const ReferenceProblem& problem : {p_k1_kepler(0.6), p_n1_pendulum(30), p_n1_pendulum(90)}) {
+    for (const std::string& name : pairs()) {
+      std::vector<long double> tolerances, errors;
+      for (int exponent = 4; exponent <= 12; exponent += 2) {
+        const double tolerance = std::pow(10.0, -exponent);
+        const long double error = error_of(problem, at_end(at_tolerance(problem.scene, name, tolerance)));
+        INFO(problem.name << ", " << name << " at " << tolerance << ": " << error);
+        CHECK(error < (name == "dormand_prince5" ? 1000 : 1500) * tolerance);
+        tolerances.push_back(std::log10(tolerance));
+        errors.push_back(std::log10(error));
+      }
+      INFO(problem.name << ", " << name << ": slope " << slope_of(tolerances, errors));
+      CHECK(std::abs(slope_of(tolerances, errors) - 1) < (name == "dormand_prince5" ? 0.2L : 0.3L));
+    }
+  }
+}
+
+TEST_CASE("tolerance: every reference problem is met by an adaptive row", "[physics]") {
+  for (ReferenceProblem problem : reference_problems()) {
+    if (problem.scene.run.compensated) continue;  // P-R2 needs compensated sums, which tolerances do not have yet
+    for (const char* name : {"dormand_prince5", "dormand_prince8"}) {
+      problem.scene = at_tolerance(problem.scene, name, 1e-13);
+      const Outcome outcome = run(problem);
+      CHECK(outcome.status.sentence == "ok");
+      for (std::size_t i = 0; i < problem.quantities.size(); ++i) {
+        INFO(problem.name << ", " << name << ", " << problem.quantities[i].name << ": " << outcome.errors[i]);
+        CHECK(outcome.errors[i] <= problem.tolerance);
+      }
+    }
+  }
+}
+
+TEST_CASE("X13: Kepler's orbit at e = 0.999, by steps from 1e-6 to 1e-1 of a time unit", "[physics]") {
+  const long double e = 0.999L, t = 20;
+  long double anomaly = t;
+  for (int i = 0; i < 200; ++i) anomaly -= (anomaly - e * std::sin(anomaly) - t) / (1 - e * std::cos(anomaly));
+  for (const char* name : {"dormand_prince5", "dormand_prince8"}) {
+    const World world = at_end(at_tolerance(orbit(0.999, 20, 1), name, 1e-11));
+    const Numbers x = position(world);
+    INFO(name << ": " << world.steps() << " steps");
+    CHECK(std::abs(x[0] - (std::cos(anomaly) - e)) < 1e-6L);
+    CHECK(std::abs(x[1] - std::sqrt(1 - e * e) * std::sin(anomaly)) < 1e-6L);
+  }
+}
+
+TEST_CASE("tolerance: an impulse acts at its very time, and costs no accuracy", "[physics]") {
+  for (const std::string& name : pairs()) {
+    INFO(name);
+    const World world = at_end(kicked_swing(name));
+    const long double before = std::cos(0.7L), speed = -std::sin(0.7L) + 0.5L, left = 1.3L;
+    CHECK(std::abs(position(world)[0] - (before * std::cos(left) + speed * std::sin(left))) < 1e-6L);
+    CHECK(world.time() == 2);
+  }
+}
+
+TEST_CASE("tolerance: same bits on both paths, for any number of threads and target, and after a snapshot",
+          "[physics]") {
+  for (const std::string& name : pairs()) {
+    for (const Precision precision : {Precision::double_, Precision::single_}) {
+      const Scene made = at_tolerance(
+          scene(many_balls(), {gravity(), effect("linear_drag", 0.3), effect("magnus", 0.2), spring(4)}, 1, 1), name,
+          1e-5);
+      const World plain = at_end(made, {.threads = 1, .target = "base", .precision = precision});
+      INFO(name << ", steps " << plain.steps() << ", rejected " << plain.counters().rejected_steps);
+      for (const Options& options : {Options{.threads = 2, .precision = precision},
+                                     Options{.threads = 3, .precision = precision, .path = Path::staged}}) {
+        const World other = at_end(made, options);
+        CHECK(other.state_hash() == plain.state_hash());
+        CHECK(other.steps() == plain.steps());
+      }
+      World half(made, {.threads = 1, .precision = precision});
+      half.step(3);
+      World restored(made, {.threads = 2, .precision = precision, .path = Path::automatic});
+      restored.restore(half.snapshot());
+      CHECK(restored.time() == half.time());
+      restored.advance_to(1);
+      half.advance_to(1);
+      CHECK(restored.state_hash() == half.state_hash());
+      CHECK(half.state_hash() == plain.state_hash());
+    }
+  }
+}
+
+TEST_CASE("tolerance: rejected steps are counted and leave no trace", "[physics]") {
+  const World world = at_end(at_tolerance(orbit(0.9, 10, 1), "dormand_prince5", 1e-6));
+  CHECK(world.counters().rejected_steps > 0);
+  CHECK(world.counters().force_evaluations == 6 * (world.steps() + world.counters().rejected_steps) + 1);
+}
+
+TEST_CASE("tolerance: where no step is small enough the run ends and says so", "[physics]") {
+  BodyGroup falling = particle({1, 0, 0});  // straight into the centre of an attraction without softening
+  World world(at_tolerance(scene(falling, {attraction()}, 10, 1), "dormand_prince5", 1e-10));
+  world.advance_to(10);
+  CHECK((world.status().code == Status::Code::accuracy || world.status().code == Status::Code::non_finite));
+  INFO(world.status().sentence);
+  CHECK(world.time() < 1.2);  // pi / sqrt(8) = 1.1107
+  const double end = world.time();
+  world.advance_to(10);
+  CHECK(world.time() == end);
+}
+
+TEST_CASE("tolerance: a body that stands still and one that nothing moves are stepped at once", "[physics]") {
+  const World still = at_end(at_tolerance(scene(particle({1, 2, 3}), {}, 5, 1), "tsitouras5", 1e-8));
+  CHECK(still.time() == 5);
+  CHECK(position(still) == Numbers{1, 2, 3});
+  CHECK(still.steps() < 60);
+}

@@ -56,6 +56,10 @@ Terms terms(const Method& m) {
     if (m.family == Family::splitting) t.weights += (m.kick[i] != 0) + (m.drift[i] != 0);
   }
   if (m.family == Family::taylor) t.weights = 2;
+  if (m.family == Family::multistep) t.weights = m.history + 1 + (m.phases > 1 ? m.history + 1 : 0);
+  for (int e = 0; e < m.errors; ++e) {
+    for (int p = 0; p < m.phases; ++p) t.weights += m.error[e][p] != 0;
+  }
   return t;
 }
 
@@ -63,6 +67,7 @@ Terms terms(const Method& m) {
 struct PassWriter {
   const Group& group;
   const Method& method;
+  int calls;  ///< phases that are evaluated in a step
   const Columns& columns;
   const std::string& reason;
   std::vector<PassReport>& passes;
@@ -91,11 +96,11 @@ struct PassWriter {
     return names;
   }
   void add(const char* name, std::vector<std::string> reads, std::vector<std::string> writes, double values,
-           double flops, int calls, const std::string& why) {
+           double flops, int times, const std::string& why) {
     int constants = 0;
     for (const std::string& column : constant_names(constants)) reads.push_back(column);
     passes.push_back(
-        {name, group.name, std::move(reads), std::move(writes), (values + constants) * real, flops, calls, why});
+        {name, group.name, std::move(reads), std::move(writes), (values + constants) * real, flops, times, why});
   }
 
   std::vector<std::string> written() const {
@@ -117,11 +122,25 @@ struct PassWriter {
     return chained && !group.kernel.forces.read_position ? 2.0 * 3 * count.stages : 0;
   }
 
+  bool estimates() const { return method.errors > 0; }
+  /// What a step leaves to the next one, and where it began.
+  std::vector<std::string> with_kept(std::vector<std::string> names) const {
+    if (method.history > 0 || estimates()) names.push_back("rates");
+    return names;
+  }
+  std::vector<std::string> with_before(std::vector<std::string> names) const {
+    if (!estimates()) return names;
+    for (const std::string& name : written()) names.push_back(name + "_before");
+    return names;
+  }
+  double before() const { return estimates() ? motion.writes : 0; }
+
   void fused() {
-    const double flops = method.phases * (motion.flops + effect_flops()) + 2.0 * size * (count.stages + count.weights) +
-                         size - left_out();
-    add("fused_step", with_carry(state_names(group.motion)), with_carry(written()),
-        motion.reads + motion.writes + 2 * carried(), flops, 1, reason);
+    const double flops =
+        calls * (motion.flops + effect_flops()) + 2.0 * size * (count.stages + count.weights) + size - left_out();
+    const double kept = size * (method.history > 0 ? method.history + 1 : estimates() ? 2 : 0);
+    add("fused_step", with_kept(with_carry(state_names(group.motion))), with_before(with_kept(with_carry(written()))),
+        motion.reads + motion.writes + 2 * carried() + kept + before(), flops, 1, reason);
   }
 
   void staged() {
@@ -135,11 +154,11 @@ struct PassWriter {
     if (count.stages > 0 || moves) reads.push_back("rates");
     const double stage_terms = moves ? between : count.stages / phases;
     add("prepare", reads, trial, motion.reads + motion.writes + moved + size * stage_terms, 2 * size * stage_terms,
-        method.phases, "trial state of each phase");
+        calls, "trial state of each phase");
     if (!group.users.empty()) {
       sums = group.spins() ? std::vector<std::string>{"force", "torque"} : std::vector<std::string>{"force"};
       const double values = motion.writes + 3.0 * static_cast<double>(sums.size());
-      add("user_effects", trial, sums, values, 0, method.phases, "user effects (their flops are not known)");
+      add("user_effects", trial, sums, values, 0, calls, "user effects (their flops are not known)");
     }
     if (group.users.empty() && group.force_sums[0]) {
       sums = {"force"};
@@ -150,17 +169,17 @@ struct PassWriter {
                         sums,
                         3.0 * static_cast<double>(sums.size()) * real,
                         0,
-                        method.phases,
+                        calls,
                         "forces between bodies add to them"});
     }
     auto loads = with_prefix("trial_", state_names(group.motion));
     loads.insert(loads.end(), sums.begin(), sums.end());
     add("evaluate", loads, {"rates"}, motion.reads + size + 3.0 * static_cast<double>(sums.size()),
-        motion.flops + effect_flops(), method.phases, "rates of each phase");
+        motion.flops + effect_flops(), calls, "rates of each phase");
     auto ends = with_carry(state_names(group.motion));
     ends.push_back("rates");
-    add("finish", ends, with_carry(written()),
-        motion.reads + motion.writes + 2 * carried() + size * std::max(count.weights, 1),
+    add("finish", ends, with_before(with_carry(written())),
+        motion.reads + motion.writes + 2 * carried() + size * std::max(count.weights, 1) + before(),
         2.0 * size * count.weights + size, 1, "the state after the step");
   }
 };
@@ -248,10 +267,10 @@ Explanation World::explain() const {
     const Group& group = groups_[g];
     if (group.live == 0) continue;
     all.groups.push_back(report(group, g, pair_systems_, users_));
-    PassWriter writer{group, method_, columns_, path_reason_, all.passes};
+    PassWriter writer{group, method_, method_.phases - keeps_rates_, columns_, path_reason_, all.passes};
     fused_ ? writer.fused() : writer.staged();
   }
-  for (const PairSystem& system : pair_systems_) system.explain(groups_, method_.phases, all);
+  for (const PairSystem& system : pair_systems_) system.explain(groups_, method_.phases - keeps_rates_, all);
   if (penalty_) penalty_->explain(groups_, all);
   if (!fused_) put_in_order(all.passes);
   if (impulse_) impulse_->explain(groups_, all);

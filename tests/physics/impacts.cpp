@@ -42,7 +42,7 @@ void check(const BodyState& state, const Vector3d& v, const Vector3d& w) {
 
 }  // namespace
 
-TEST_CASE("Impacts: two balls that slide, stick, and differ; a ball and a wall", "[physics]") {
+TEST_CASE("Impacts: two balls that slide, stick, and differ, and a ball and a wall", "[physics]") {
   const Ball still{1, 0.5, {0, 0, 0}, {0, 0, 0}};
   auto [a1, a2] = after_impact({1, 0.5, {2, 1, 0}, {0, 0, 3}}, still, {1, 0, 0}, {0.9, 0.1});
   check(a1, {.1, .81, 0}, {0, 0, 2.05});

@@ -28,6 +28,24 @@ LocatedProblem refused(const std::string& key, const std::string& value) {
 
 }  // namespace
 
+TEST_CASE("Overrides: to ask for a tolerance takes the step out of the scene, and the other way round", "[files]") {
+  const auto run_of = [](const std::vector<ballpark::scenes::Override>& changes) {
+    return ballpark::scenes::parse(scene, "test.toml", changes).scene.run;
+  };
+  const ballpark::RunSettings adaptive =
+      run_of({{"run.integrator", "tsitouras5"}, {"run.tolerance", "1e-8"}, {"run.absolute_tolerance", "1e-6"}});
+  CHECK(adaptive.tolerance == 1e-8);
+  CHECK(adaptive.absolute_tolerance == 1e-6);
+  CHECK(adaptive.step == 0);
+  const ballpark::RunSettings fixed = run_of({{"run.integrator", "tsitouras5"},
+                                              {"run.tolerance", "1e-8"},
+                                              {"run.absolute_tolerance", "1"},
+                                              {"run.step", "0.5"}});
+  CHECK(fixed.step == 0.5);
+  CHECK(fixed.tolerance == 0);
+  CHECK(fixed.absolute_tolerance == 0);
+}
+
 TEST_CASE("Overrides: a table is addressed by its name, else its kind, else its index", "[files]") {
   CHECK(with("run.step", "0.2").run.step == 0.2);
   CHECK(with("bodies.ball.mass", "3").bodies[0].mass == std::vector<double>{3});

@@ -27,6 +27,7 @@ Vector3<Real> moved(const Vector3<Real>& slid, const std::vector<Vector3<Real>>&
 }  // namespace
 
 void Penalty::begin(double time, Real h, Workers& workers) {
+  if (returns) counters_before_ = counters_;
   keep_list(time, h, workers);
   for_blocks(workers, [&](std::size_t first, std::size_t last, Part& part) {
     for (std::size_t i = first; i < last; ++i) {
@@ -45,6 +46,8 @@ void Penalty::begin(double time, Real h, Workers& workers) {
 }
 
 void Penalty::take_back() {
+  counters_before_.lists = counters_.lists;
+  counters_ = counters_before_;
   for (Contacts* contacts : {&pairs_, &walls_}) contacts->slid = contacts->before;
 }
 

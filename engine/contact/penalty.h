@@ -42,7 +42,7 @@ class Penalty : public ContactScene {
   Bound stiffest_pair() const;
   /// Neighbours for a step of length h, from the bodies at its start.
   void begin(double time, Real h, Workers& workers);
-  /// The step is not taken: tangential springs are as begin() found them.
+  /// The step is not taken: tangential springs and counters are as begin() found them.
   void take_back();
   bool returns = false;  ///< may steps be taken back?
   /// Forces on bodies as `bodies` has them in a phase. Tangential springs have moved by the rates of the phases before
@@ -141,7 +141,7 @@ class Penalty : public ContactScene {
   Memories known_;  ///< while the list changes
   bool was_restored_ = false;
   double listed_at_ = 0;
-  PenaltyCounters counters_;
+  PenaltyCounters counters_, counters_before_;
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

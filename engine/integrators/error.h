@@ -6,9 +6,10 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
+/// NaN if one is.
 template <class V>
 BALLPARK_INLINE V larger(const V& a, const V& b) {
-  return select(a > b, a, b);
+  return select(a > b, a, select(a != a, a, b));
 }
 
 /// Sum of the squares of `count` values.
@@ -25,16 +26,15 @@ BALLPARK_INLINE V square(const V* a, int count) {
 template <class V>
 BALLPARK_INLINE V over_tolerance(const Method& m, const V* y, const V* next, const V (*error)[max_errors], int count,
                                  const V& unit) {
+  const V length = square_root(larger(square(y, count), square(next, count)));
+  const V share = unit / (V(m.absolute) + V(m.relative) * unit * length);  // first, so that no square underflows
   V parts[max_errors] = {V(Real(0)), V(Real(0))};
   for (int e = 0; e < m.errors; ++e) {
-    for (int i = 0; i < count; ++i) parts[e] += error[i][e] * error[i][e];
+    for (int i = 0; i < count; ++i) parts[e] += (share * error[i][e]) * (share * error[i][e]);
   }
-  const V length = square_root(larger(square(y, count), square(next, count)));
-  const V scale = V(m.absolute) + V(m.relative) * unit * length;
-  const V zero = V(Real(0)), over = unit * unit * parts[0] / (scale * scale);
-  if (m.errors < 2) return over;
-  const V both = parts[0] + V(Real(0.01)) * parts[1];
-  return select(both > zero, over * (parts[0] / both), zero);
+  if (m.errors < 2) return parts[0];
+  const V zero = V(Real(0)), both = parts[0] + V(Real(0.01)) * parts[1];
+  return select(both == zero, zero, parts[0] * (parts[0] / both));
 }
 
 /// The largest over_tolerance of the body's quantities: position [m], velocity [m/s], angular momentum as spin [rad/s],

@@ -13,8 +13,11 @@ namespace {
 
 /// The last steps to a time that must be met are made equal rather than one full and one tiny.
 constexpr double nearly_there = 2;
-/// Smallest step, in units in the last place of the time.
-constexpr double least_ulps = 16;
+/// The smallest step that still moves the time and, without denormals, a coefficient.
+double least_step(double time) {
+  const double smallest = std::max(static_cast<double>(std::numeric_limits<Real>::min()), 1e-307);
+  return std::max(16 * std::numeric_limits<double>::epsilon() * time, 1e3 * smallest);
+}
 
 }  // namespace
 
@@ -24,7 +27,8 @@ void World::adaptive_step(double limit) {
   due_events();
   if (next_event_ < events_.size()) limit = std::min(limit, events_[next_event_].at);
   if (control_.step == 0) control_.step = first_step();
-  for (;;) {
+  for (bool finite = true;;) {
+    if (!(control_.step > least_step(time()))) return get_stuck(finite);
     const double left = limit - time();
     double h = duration_ > 0 ? std::min(control_.step, duration_) : control_.step;
     const bool lands = h >= left;
@@ -33,7 +37,6 @@ void World::adaptive_step(double limit) {
     } else if (nearly_there * h > left) {
       h = left / 2;
     }
-    const double least = least_ulps * std::numeric_limits<double>::epsilon() * std::max(time(), h);
     scale(unit_, h, method_);
     activate_windows(time(), h);
     const Moved moved = smooth_motion(method_, time());
@@ -47,9 +50,8 @@ void World::adaptive_step(double limit) {
       return;
     }
     ++counters_.rejected_steps;
+    finite = moved.finite;
     take_back();
-    if (control_.step > least || h <= 0) continue;
-    return get_stuck(moved.finite);
   }
 }
 
@@ -76,8 +78,9 @@ void World::take_back() {
     };
     copy(to.position, from.position);
     copy(to.velocity, from.velocity);
-    copy(to.momentum, from.momentum);
-    copy(to.orientation, from.orientation);
+    // What is carried and not integrated has not moved.
+    if (group.motion != MotionKind::point) copy(to.momentum, from.momentum);
+    if (group.motion >= MotionKind::oriented) copy(to.orientation, from.orientation);
   });
   if (penalty_) penalty_->penalty.take_back();
 }
@@ -97,7 +100,10 @@ void World::get_stuck(bool finite) {
 /// 0.01 |y| / |y'| of the body that changes fastest. (HNW II.4, Starting step size, its first guess.)
 double World::first_step() {
   scale(unit_, 1, method_);
+  activate_windows(time(), 0);
+  if (penalty_) penalty_->look(groups_, time(), workers_);
   evaluate_start();
+  if (penalty_) penalty_->penalty.take_back();
   Real state = 0, rate = 0;
   for (const Group& group : groups_) {
     with_motion(group.motion, [&]<class M>() {

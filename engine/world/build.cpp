@@ -231,6 +231,7 @@ void Builder::add_state_columns() {
   for (Group& group : groups) {
     if (group.live == 0) continue;
     StateColumns& state = group.kernel.state;
+    group.kernel.live = group.live;
     for (int c = 0; c < 3; ++c) {
       state.position[c] = position.at(c, group.first_row);
       state.velocity[c] = velocity.at(c, group.first_row);

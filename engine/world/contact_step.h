@@ -77,6 +77,8 @@ class PenaltyStep : public ContactStep {
   bool restore(const std::vector<std::byte>& bytes) override { return penalty.restore(bytes); }
   void explain(const std::vector<Group>& groups, Explanation& all) const override;
 
+  /// Neighbours of the bodies as they stand, for one evaluation that take_back() undoes.
+  void look(const std::vector<Group>& groups, double time, Workers& workers) { begin(groups, time, 0, workers); }
   /// Neighbours for a step of length h.
   void begin(const std::vector<Group>& groups, double time, Real h, Workers& workers);
   /// Adds the forces on the trial state to the sums of the groups.

@@ -216,13 +216,8 @@ void Builder::add_rates(Group& group) {
   const int size = state_size(group.carried);
   std::vector<bool> used(static_cast<std::size_t>(std::max(method.phases, method.history_begin + method.history)),
                          true);
-  if (world_.fused_) {  // phases are in registers
-    used.assign(static_cast<std::size_t>(multistep ? method.history_begin + method.history : method.last_set + 1),
-                false);
-    used[0] = true;
-    for (std::size_t set = static_cast<std::size_t>(multistep ? method.history_begin : method.last_set);
-         set < used.size(); ++set)
-      used[set] = true;
+  if (world_.fused_ && !multistep) {  // phases are in registers, but for those that two steps share
+    used.assign(static_cast<std::size_t>(method.last_set) + 1, true);
   }
   const auto sets = static_cast<int>(std::count(used.begin(), used.end(), true));
   const char* why =

@@ -49,7 +49,8 @@ std::vector<double> World::pace() const {
           static_cast<double>(method_.first_known),
           static_cast<double>(known_sets_),
           static_cast<double>(turns_),
-          static_cast<double>(stuck_)};
+          static_cast<double>(stuck_),
+          static_cast<double>(load_count())};
 }
 
 void World::set_pace(const std::vector<double>& pace) {
@@ -63,6 +64,15 @@ void World::set_pace(const std::vector<double>& pace) {
   stuck_ = pace[8] != 0;
   for (Group& group : groups_) group.rates = group.rate_columns;
   arrange_rates();
+  if (pace[9] != static_cast<double>(load_count())) forget_rates();  // asked for since
+}
+
+std::size_t World::load_count() const {
+  std::size_t count = 0;
+  for (const Group& group : groups_) {
+    for (std::size_t e = 0; e < group.effects.size(); ++e) count += group.instance_count(e);
+  }
+  return count;
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -1,6 +1,8 @@
 // The kernels of one target, as pointers; a dispatcher picks a table at run time.
 #pragma once
 
+#include <limits>
+
 #include "engine/effects/local_effects.h"
 #include "engine/effects/pair_kernels.h"
 #include "engine/integrators/method.h"
@@ -10,6 +12,7 @@ namespace ballpark::BALLPARK_PRECISION {
 
 /// One group as kernels see it; rows count from the group's first.
 struct StepGroup {
+  std::size_t live = std::numeric_limits<std::size_t>::max();  ///< rows of bodies; padding follows
   StateColumns state;
   BodyConstants constants;
   LocalForces forces;

@@ -49,10 +49,16 @@ BALLPARK_INLINE Moved move_rows(const StepGroup& group, std::size_t first, std::
     move(c, state);
     state.normalise();
     store_state(group, c, state);
-    watch<M::size>(poison, state.y);
-    if constexpr (embeds) {
-      poison += state.over * V(Real(0));
-      over = larger(over, state.over);
+    if constexpr (embeds) {  // padding may go where no body goes
+      const V zero = V(Real(0)), bodies = V(static_cast<Real>(row < group.live ? group.live - row : 0));
+      V part = zero;
+      watch<M::size>(part, state.y);
+      part += state.over * zero;
+      const bool padded = row + lane_count<V> > group.live;
+      poison += padded ? select(bodies > lane_numbers<V>(), part, zero) : part;
+      over = larger(over, padded ? select(bodies > lane_numbers<V>(), state.over, zero) : state.over);
+    } else {
+      watch<M::size>(poison, state.y);
     }
   }
   return {!any_nonzero(poison), embeds ? largest(over) : Real(0)};

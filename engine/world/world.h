@@ -151,6 +151,7 @@ class World : public WorldInterface {
   void arrange_rates();
   void forget_rates();
   std::vector<double> pace() const;
+  std::size_t load_count() const;
   void set_pace(const std::vector<double>& pace);
 
   // bodies.cpp

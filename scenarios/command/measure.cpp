@@ -42,11 +42,10 @@ struct Runner {
 };
 
 /// Of a whole run; with a tolerance, of one to look at.
-std::uint64_t steps_of(const Scene& scene) {
+std::uint64_t steps_of(const Scene& scene, Runner& runner) {
   if (scene.run.tolerance > 0) {
-    World world(scene);
-    world.advance_to(scene.run.duration, 100000);
-    return std::max<std::uint64_t>(1, world.steps());
+    runner.world.advance_to(scene.run.duration, 100000);
+    return std::max<std::uint64_t>(1, runner.world.steps());
   }
   return static_cast<std::uint64_t>(std::max(1.0, std::floor(scene.run.duration / scene.run.step + 1e-9)));
 }
@@ -67,7 +66,7 @@ double seconds_per_step(Runner& runner, std::uint64_t most) {
 void plan(ProfileFigures& figures, Runner& runner, const Scene& scene, const ProfileEffort& effort, std::size_t tasks) {
   figures.rounds = round_count;
   figures.repetitions = 1;
-  figures.steps = effort.steps.value_or(steps_of(scene));
+  figures.steps = effort.steps.value_or(steps_of(scene, runner));
   const double each = std::max(seconds_per_step(runner, figures.steps), 1e-9);
   if (effort.steps) return;
   const double slice = effort.seconds / static_cast<double>(tasks * round_count);

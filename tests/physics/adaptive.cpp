@@ -180,3 +180,77 @@ TEST_CASE("tolerance: a body that stands still and one that nothing moves are st
   CHECK(position(still) == Numbers{1, 2, 3});
   CHECK(still.steps() < 60);
 }
+
+TEST_CASE("tolerance: a rejected step leaves spin and orientation that nothing turns as they were", "[physics]") {
+  for (const bool spins : {true, false}) {
+    Scene made = orbit(0.9, 10, 1);
+    made.bodies[0].shape = "sphere";
+    made.bodies[0].radius = {0.01};
+    if (spins) made.bodies[0].angular_velocity = {{1, 2, 3}};
+    if (!spins) made.bodies[0].orientation = {{0.6, 0, 0.8, 0}};
+    const World world = at_end(at_tolerance(made, "dormand_prince5", 1e-6));
+    INFO((spins ? "spin" : "orientation"));
+    CHECK(world.counters().rejected_steps > 0);
+    const BodyState body = world.body(0);
+    if (spins) CHECK((body.angular_velocity - Vector3d(1, 2, 3)).norm() < 1e-14);
+    if (!spins) CHECK((body.orientation.w == 0.6 && body.orientation.y == 0.8));
+  }
+}
+
+TEST_CASE("tolerance: rows beyond the bodies do not matter, wherever they go", "[physics]") {
+  // Its own copies in the padding fall into the centre; the body itself is kicked onto a circle.
+  Scene made = at_tolerance(scene(particle({1, 0, 0}), {attraction()}, 10, 1), "dormand_prince5", 1e-9);
+  made.impulses = {{0, 0, {0, 1, 0}, Vector3d::Zero()}};
+  const World world = at_end(made);
+  CHECK(world.status().sentence == "ok");
+  CHECK(std::abs(position(world)[0] - std::cos(10.0L)) < 1e-6L);
+}
+
+TEST_CASE("tolerance: a force that begins later is not felt before", "[physics]") {
+  Scene made = at_tolerance(scene(particle(Vector3d::Zero()), {}, 2, 1), "dormand_prince5", 1e-3);
+  made.effects.push_back({"force", {}, {{"force", Vector3d(3, 0, 0)}, {"at", 1.0}, {"until", 1.5}}});
+  World world(made);
+  world.advance_to(1);
+  CHECK(velocity(world) == Numbers{0, 0, 0});
+  world.advance_to(2);
+  CHECK(std::abs(velocity(world)[0] - 1.5L) < 1e-12L);
+}
+
+TEST_CASE("tolerance: a force that is no number from the start ends the run", "[physics]") {
+  for (const Precision precision : {Precision::single_, Precision::double_, Precision::extended}) {
+    World world(at_tolerance(scene(particle(Vector3d::Zero()), {attraction()}, 1, 1), "tsitouras5", 1e-5),
+                {.precision = precision});
+    world.advance_to(1);
+    CHECK((world.status().code != Status::Code::ok || world.time() == 1));
+  }
+}
+
+TEST_CASE("abm4 moves balls whose spin nothing changes", "[physics]") {
+  BodyGroup group = ball();
+  group.velocity = {{1, 0, 3}};
+  group.angular_velocity = {{1, 2, 3}};
+  for (const Path path : {Path::fused, Path::staged}) {
+    World world(scene(group, {gravity()}, 1, 0.01, "abm4"), {.path = path});
+    world.step(100);
+    CHECK(std::abs(position(world)[2] - (3 - 9.81L / 2)) < 1e-13L);
+    CHECK((world.body(0).angular_velocity - Vector3d(1, 2, 3)).norm() < 1e-15);
+  }
+}
+
+TEST_CASE("tolerance: penalty contacts from the first step on", "[physics]") {
+  BodyGroup group = ball();  // of radius 0.1 at rest on the floor of a soft ground, a little above its equilibrium
+  group.shape = "sphere";
+  group.position = {{0, 0, group.radius.empty() ? 0.1 : group.radius[0]}};
+  Scene made = at_tolerance(scene(group, {gravity()}, 0.5, 1), "dormand_prince5", 1e-8);
+  made.contact.kind = "penalty";
+  made.contact.stiffness = 1e4;
+  Boundary floor;
+  floor.shape = "plane";
+  made.boundaries = {floor};
+  const double mass = World(made).constant("mass", made.bodies[0].name);
+  const long double swing = std::sqrt(1e4L / mass), depth = mass * 9.81L / 1e4L;
+  World world(made);
+  world.advance_to(0.5);
+  CHECK(world.status().sentence == "ok");
+  CHECK(std::abs(position(world)[2] - (group.position[0].z() - depth * (1 - std::cos(swing * 0.5L)))) < 1e-6L);
+}

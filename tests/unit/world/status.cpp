@@ -40,7 +40,8 @@ double limit_of(const std::string& integrator) {
 
 }  // namespace
 
-TEST_CASE("Status: the first body, step and time that are not finite are named, and no other body changes", "[status]") {
+TEST_CASE("Status: the first body, step and time that are not finite are named, and no other body changes",
+          "[status]") {
   for (const Path path : {Path::fused, Path::staged}) {
     for (const std::size_t doomed : {0u, 41u, 99u}) {
       World sick(through_the_centre(doomed, true), {.path = path});

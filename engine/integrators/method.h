@@ -33,7 +33,7 @@ struct Method {
   // Embedded pairs, at a tolerance:
   int errors = 0;                           ///< estimates of the step's error; 0: the step is given
   Real error[max_errors][max_phases] = {};  ///< h times their weights
-  Real absolute = 0, relative = 0;          ///< tolerance, see over_tolerance (families.h)
+  Real absolute = 0, relative = 0;          ///< tolerance, see over_tolerance (error.h)
   bool first_known = false;                 ///< rates of the first phase are in set 0, from the step before
   int last_set = 0;                         ///< where whole steps leave those of the last phase
 

@@ -13,7 +13,7 @@ namespace ballpark::BALLPARK_PRECISION {
 
 enum class Family { explicit_runge_kutta, chained_runge_kutta, taylor, splitting, multistep };
 inline constexpr int family_count = 5;
-inline constexpr int max_phases = 13;
+inline constexpr int max_phases = 27;
 inline constexpr int max_history = 4;  ///< sets of rates of earlier steps
 inline constexpr int max_errors = 2;
 

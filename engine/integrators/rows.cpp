@@ -5,7 +5,7 @@ namespace ballpark::BALLPARK_PRECISION {
 const std::vector<Row>& rows() {
   static const std::vector<Row> all = [] {
     std::vector<Row> list = runge_kutta_rows();
-    for (const auto& more : {pair_rows(), splitting_rows(), multistep_rows()}) {
+    for (const auto& more : {pair_rows(), extrapolation_rows(), splitting_rows(), multistep_rows()}) {
       list.insert(list.end(), more.begin(), more.end());
     }
     return list;

@@ -45,6 +45,7 @@ const char* name(Family family);
 // Each family's, in the order of the catalogue.
 std::vector<Row> runge_kutta_rows();
 std::vector<Row> pair_rows();
+std::vector<Row> extrapolation_rows();
 std::vector<Row> multistep_rows();
 std::vector<Row> splitting_rows();
 

@@ -29,7 +29,7 @@ void World::adaptive_step(double limit) {
   if (control_.step == 0) control_.step = first_step();
   for (bool finite = true;;) {
     if (!(control_.step > least_step(time()))) return get_stuck(finite);
-    const double left = limit - time();
+    const double left = elapsed_.until(limit);
     double h = duration_ > 0 ? std::min(control_.step, duration_) : control_.step;
     const bool lands = h >= left;
     if (lands) {

@@ -60,6 +60,7 @@ struct Block {
 /// Time as a sum of steps, with what rounding takes from it (Knuth's two-sum).
 struct Elapsed {
   double time = 0, rest = 0;
+  double until(double t) const { return (t - time) - rest; }
   /// By h, to `exactly` that time if it is given.
   void advance(double h, std::optional<double> exactly) {
     const double add = h + rest, sum = time + add, part = sum - time;

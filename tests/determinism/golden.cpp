@@ -41,6 +41,7 @@ const Golden by_integrator[] = {
     {"dormand_prince5", 0x9d3af561360d209d, 0x6f1f7a36799fb542},
     {"tsitouras5", 0xc1b0aaee6bb55c3b, 0xdc2c6023a5e1b505},
     {"dormand_prince8", 0xc35d08665f14a33c, 0x3e0ab74ae0d6b2d3},
+    {"gragg_bulirsch_stoer10", 0x6957770ae0d1fd57, 0x4a4b99026750f471},
     {"semi_implicit_euler", 0x9d4b90f461977b4b, 0xe84aa7a67da286b8},
     {"velocity_verlet", 0xfbb91983deb92f39, 0x96a1566788b4651e},
     {"ruth3", 0xf86ab111bf63e6b9, 0xf2f1521ab349e592},

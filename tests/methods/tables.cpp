@@ -112,8 +112,11 @@ TEST_CASE("Runge-Kutta rows satisfy the order conditions up to their order, and 
 }
 
 TEST_CASE("embedded pairs hold their weights against formulas of lower order", "[methods]") {
-  const std::map<std::string, std::vector<int>> lower = {
-      {"bogacki_shampine3", {2}}, {"dormand_prince5", {4}}, {"tsitouras5", {4}}, {"dormand_prince8", {5, 3}}};
+  const std::map<std::string, std::vector<int>> lower = {{"bogacki_shampine3", {2}},
+                                                         {"dormand_prince5", {4}},
+                                                         {"tsitouras5", {4}},
+                                                         {"dormand_prince8", {5, 3}},
+                                                         {"gragg_bulirsch_stoer10", {8}}};
   std::size_t pairs = 0;
   for (const f64::Row& row : f64::rows()) {
     CHECK(row.embeds() == (lower.count(row.name) == 1));
@@ -216,6 +219,7 @@ TEST_CASE("the catalogue tells of every row once, with its order and evaluations
                                        "dormand_prince5",
                                        "tsitouras5",
                                        "dormand_prince8",
+                                       "gragg_bulirsch_stoer10",
                                        "ab2",
                                        "ab3",
                                        "ab4",
@@ -251,6 +255,8 @@ TEST_CASE("stability limits are those of the methods' polynomials", "[methods]")
       {"dormand_prince5", {3.306567892634947, dormand_prince_limit()}},
       {"tsitouras5", {decay_limit("tsitouras5"), swing_limit_of_stages("tsitouras5")}},
       {"dormand_prince8", {decay_limit("dormand_prince8"), swing_limit_of_stages("dormand_prince8")}},
+      {"gragg_bulirsch_stoer10",
+       {decay_limit("gragg_bulirsch_stoer10"), swing_limit_of_stages("gragg_bulirsch_stoer10")}},
       {"ab2", {1, 0}},
       {"ab3", {6.0 / 11, 0.7236}},
       {"ab4", {0.3, 0.4300}},
@@ -268,7 +274,8 @@ TEST_CASE("stability limits are those of the methods' polynomials", "[methods]")
     REQUIRE(limits.count(row.name) == 1);
     CHECK(std::abs(row.real_limit - limits.at(row.name).real) < 1e-6);
     const bool read_off = row.name == "ab3" || row.name == "ab4";  // the source prints four digits
-    CHECK(std::abs(row.imaginary_limit - limits.at(row.name).imaginary) < (read_off ? 5e-5 : 1e-6));
+    const bool faint = row.order == 10;  // |R(iz)| leaves 1 as z^12: where, is a matter of rounding
+    CHECK(std::abs(row.imaginary_limit - limits.at(row.name).imaginary) < (faint ? 0.02 : read_off ? 5e-5 : 1e-6));
   }
 }
 

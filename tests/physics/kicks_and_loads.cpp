@@ -44,7 +44,8 @@ TEST_CASE("an impulse inside a step leaves every row its order", "[physics]") {
   for (const IntegratorDescription& row : integrators()) {
     Scene made = scene(particle({1, 0, 0}), {spring(1)}, 2, 1, row.name);
     made.impulses = {{kick_time, 0, {0.5, 0, 0}, Vector3d::Zero()}};
-    const std::uint64_t n = row.order == 8                         ? 4
+    const std::uint64_t n = row.order == 10                        ? 1
+                            : row.order == 8                       ? 4
                             : row.start_steps > 0 && row.order > 2 ? 200
                             : row.order >= 5                       ? 20
                             : row.order >= 3                       ? 100
@@ -52,8 +53,9 @@ TEST_CASE("an impulse inside a step leaves every row its order", "[physics]") {
     const Refinement refinement =
         refine(made, n, [](const World& world) { return kicked_oscillator_error(world, 0.5L, kick_time); });
     INFO(row.name << ": " << refinement.errors[2] << ", " << refinement.errors[3]);
-    CHECK(std::abs(refinement.slope(1) - row.order) < 0.15L);
-    CHECK(std::abs(refinement.slope(2) - row.order) < 0.15L);
+    const long double margin = row.order == 10 ? 1 : 0.15L;  // too near to rounding to show more
+    CHECK(std::abs(refinement.slope(1) - row.order) < margin);
+    CHECK(std::abs(refinement.slope(2) - row.order) < margin);
   }
 }
 

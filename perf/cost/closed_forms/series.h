@@ -1,0 +1,73 @@
+// Functions that closed forms divide by what may be zero: exact in that limit too.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace ballpark::cost {
+
+/// sum_k z^k n! / (n + k)!, for |z| of a few.
+template <class R>
+R tail_series(R z, int n, int stride = 1) {
+  R term = 1, total = 1;
+  for (int k = n; std::abs(term) > std::numeric_limits<R>::epsilon() / 8 * std::abs(total);) {
+    for (int s = 0; s < stride; ++s) term /= R(++k);
+    term *= z;
+    total += term;
+  }
+  return total;
+}
+
+/// phi_1(z) = (e^z - 1)/z and phi_2(z) = (e^z - 1 - z)/z^2 (Hochbruck & Ostermann, Acta Numerica 19 (2010) 2.1).
+template <class R>
+R phi1(R z) {
+  return z == 0 ? R(1) : std::expm1(z) / z;
+}
+template <class R>
+R phi2(R z) {
+  return std::abs(z) < 1 ? tail_series(z, 2) / 2 : (std::expm1(z) - z) / (z * z);
+}
+
+/// Stumpff's functions c_k(x) = sum_j (-x)^j / (2j + k)! (Danby, Fundamentals of Celestial Mechanics, 6.9).
+template <class R>
+struct Stumpff {
+  R c0, c1, c2, c3, c4;
+
+  explicit Stumpff(R x) {
+    const R s = std::sqrt(std::abs(x));
+    if (std::abs(x) < 3) {  // beyond, the differences below lose no more than a bit or two
+      c3 = tail_series(-x, 3, 2) / 6;
+      c4 = tail_series(-x, 4, 2) / 24;
+      c2 = R(0.5) - x * c4;
+      c1 = 1 - x * c3;
+      c0 = 1 - x * c2;
+      return;
+    }
+    const R half = x > 0 ? std::sin(s / 2) : std::sinh(s / 2);
+    c0 = x > 0 ? std::cos(s) : std::cosh(s);
+    c1 = (x > 0 ? std::sin(s) : std::sinh(s)) / s;
+    c2 = 2 * half * half / std::abs(x);
+    c3 = (1 - c1) / x;
+    c4 = (R(0.5) - c2) / x;
+  }
+};
+
+/// The root between `low` and `high`, at which f rises through zero. `f(x)` gives its value and slope. Newton's steps
+/// while they stay inside the bracket and shrink it well, else halves.
+template <class R, class F>
+R rising_root(F f, R low, R high) {
+  R x = low + (high - low) / 2, last = high - low;
+  for (int round = 0; round < 400 && x != low && x != high; ++round) {
+    const auto [value, slope] = f(x);
+    if (value == 0) return x;
+    (value < 0 ? low : high) = x;
+    R next = x - value / slope;
+    if (!(next > low && next < high) || std::abs(next - x) > last / 2) next = low + (high - low) / 2;
+    last = std::abs(next - x);
+    if (last <= std::numeric_limits<R>::epsilon() / 2 * std::abs(next)) return next;
+    x = next;
+  }
+  return x;
+}
+
+}  // namespace ballpark::cost

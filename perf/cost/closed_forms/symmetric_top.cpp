@@ -3,7 +3,7 @@
 
 #include "perf/cost/closed_forms/elliptic.h"
 #include "perf/cost/closed_forms/pivoted.h"
-#include "perf/cost/closed_forms/series.h"
+#include "perf/cost/closed_forms/root.h"
 
 namespace ballpark::cost {
 

@@ -18,17 +18,17 @@ struct LoneBody {
   const BodyGroup& group;
   std::size_t index = 0;               ///< in the group
   std::vector<const Effect*> effects;  ///< on its group
-  BodyState start;
-  double mass = 0;                  ///< [kg]
-  std::optional<Vector3d> inertia;  ///< principal moments [kg m^2]; none for a particle
+  BodyState start;                     ///< what the world holds at the start, taken as exact
+  double mass = 0;                     ///< [kg]
+  std::optional<Vector3d> inertia;     ///< principal moments [kg m^2]; none for a particle
 };
 
 /// State at a time [s] from the start.
 template <class R>
 struct ExactState {
   std::array<R, 3> position{}, velocity{};
-  std::array<R, 4> orientation{1, 0, 0, 0};
-  std::array<R, 3> angular_velocity{};  ///< world frame
+  std::array<R, 4> orientation{1, 0, 0, 0};  ///< w, x, y, z, of either sign; identity if the body carries none
+  std::array<R, 3> angular_velocity{};       ///< world frame
 };
 
 /// The same formulas in two precisions: their difference tells the rounding of either.
@@ -45,7 +45,8 @@ ClosedForm ballistic, vertical_drag, oscillator, kepler, pendulum, torque_free, 
 /// The first form that fits.
 std::optional<ExactMotion> exact_motion(const LoneBody& body);
 
-/// A parameter of an effect, or the catalogue's default.
+/// A parameter of an effect, or the catalogue's default. Not a number if it has neither, which a checked scene
+/// excludes.
 double number(const Effect& effect, const std::string& parameter);
 /// The row of body `index`, where it may be one for all or one for each.
 Vector3d vector(const Effect& effect, const std::string& parameter, std::size_t index = 0);

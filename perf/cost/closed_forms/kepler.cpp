@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "perf/cost/closed_forms/acting.h"
+#include "perf/cost/closed_forms/root.h"
 #include "perf/cost/closed_forms/series.h"
 
 namespace ballpark::cost {

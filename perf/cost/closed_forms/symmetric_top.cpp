@@ -3,7 +3,7 @@
 
 #include "perf/cost/closed_forms/elliptic.h"
 #include "perf/cost/closed_forms/pivoted.h"
-#include "perf/cost/closed_forms/series.h"
+#include "perf/cost/closed_forms/root.h"
 
 namespace ballpark::cost {
 
@@ -48,15 +48,19 @@ class Nutation {
     const Cubic<R> f = {s.rate * s.rate, 2 * s.a * s.level - 2 * u * s.square - b * s.above * s.below,
                         2 * u * b - s.square - s.a * s.a, b};
     find_turns(f, s.above, s.below);
-    const R reach = -f[2] + 2 * b * down_ - b * up_;  // B (u3 - u1), as the roots sum to -f2/B
-    rate_ = std::sqrt(reach) / 2;
     depth_ = down_ + up_;
-    const R less = (-f[2] + b * down_ - 2 * b * up_) / reach;
-    fits_ = reach > 0 && less > 0 && (zenith_ != 0 || nadir_ != 0);
+    // A turn that is near is found from the start, one near its pole from there: roots close together are sought best
+    // from close by.
+    const R zenith_slope = s.square - b * s.above, nadir_slope = s.square + b * s.below;
+    top_ = 2 * up_ < s.above ? s.above - up_ : gap(zenith_, zenith_slope, b, s.a, s.above);
+    bottom_ = 2 * down_ < s.below ? s.below - down_ : gap(nadir_, nadir_slope, -b, -s.a, s.below);
+    // B (u3 - u2) from the pair products of 1 - u1, 1 - u2, 1 - u3: a sleeping top's u3 is close to 1.
+    const R lowest = top_ + depth_, linear = 2 * (zenith_slope - s.a * zenith_);
+    const R beyond = b * top_ + (linear + b * lowest * top_) / (lowest + top_), reach = beyond + b * depth_;
+    fits_ = beyond > 0 && (zenith_ != 0 || nadir_ != 0);
     if (!fits_) return;
-    functions_ = Elliptic<R>(b * depth_ / reach, less);
-    top_ = up_ == 0 ? s.above : gap(zenith_, s.square - b * s.above, b, s.a, s.above);
-    bottom_ = down_ == 0 ? s.below : gap(nadir_, s.square + b * s.below, -b, -s.a, s.below);
+    rate_ = std::sqrt(reach) / 2;
+    functions_ = Elliptic<R>(b * depth_ / reach, beyond / reach);
     const R cn = std::copysign(std::sqrt(up_ / depth_), s.rate);
     begin_ = depth_ > 0 ? functions_.argument(std::sqrt(down_ / depth_), cn) : R(0);
   }

@@ -83,7 +83,7 @@ std::vector<double> round_values(double low, double high, int count) {
     break;
   }
   if (!(step > 1e-12 * std::max(std::abs(low), std::abs(high)))) return found;
-  for (double i = std::ceil(low / step); i * step <= high; ++i) found.push_back(i * step);
+  for (double i = std::ceil(low / step); i * step <= high; ++i) found.push_back(i * step + 0.0);  // no -0
   return found;
 }
 

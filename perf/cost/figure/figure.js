@@ -1,0 +1,187 @@
+// The page: choices on top, the chart beside its legend, then what can be read from it, the paths and the points.
+
+import { chart } from "./chart.js";
+import { colourOf, grey, pathColours, standing } from "./colours.js";
+import { costs, measures, number } from "./data.js";
+import { legend } from "./legend.js";
+import { bestProjection, pathFigure, projections } from "./paths.js";
+import { table } from "./table.js";
+
+const result = JSON.parse(document.getElementById("result").textContent);
+result.curves.forEach((curve, index) => (curve.index = index));
+const page = document.getElementById("page");
+
+/// An element; text is never markup.
+export function make(parent, tag, properties = {}, text = "") {
+  const element = parent.appendChild(document.createElement(tag));
+  Object.assign(element, properties);
+  if (text) element.append(text);
+  return element;
+}
+
+function select(parent, label, groups, value, change) {
+  const field = make(parent, "label", { className: "field" });
+  make(field, "span", {}, label);
+  const element = make(field, "select");
+  for (const [group, options] of groups) {
+    const inside = group ? make(element, "optgroup", { label: group }) : element;
+    for (const [key, name] of options) make(inside, "option", { value: key, selected: key === value }, name);
+  }
+  element.onchange = () => change(element.value);
+}
+
+function checkbox(parent, label, checked, change) {
+  const field = make(parent, "label", { className: "check" });
+  const input = make(field, "input", { type: "checkbox", checked });
+  field.append(label);
+  input.onchange = () => change(input.checked);
+}
+
+function head() {
+  make(page, "h1", {}, `${result.scenario}: what accuracy costs`);
+  if (result.doc) make(page, "p", { className: "doc" }, result.doc);
+  const { reference, measure, bodies, compared } = result;
+  const bar = reference.error_bar?.[measure.quantity];
+  const facts = make(page, "dl", { className: "facts" });
+  const fact = (name, text) => {
+    if (!text) return;
+    make(facts, "dt", {}, name);
+    make(facts, "dd", {}, text);
+  };
+  fact("Reference", [`${reference.kind}: ${reference.what}`, bar ? `itself within ${number(bar)} ${measure.unit}` : ""].filter(Boolean).join("; "));
+  fact("Run", `${number(result.duration)} s simulated, ${bodies} ${bodies === 1 ? "body" : "bodies"}` +
+    (compared < bodies ? `, ${compared} compared` : "") + `, ${result.threads} thread${result.threads === 1 ? "" : "s"}`);
+  fact("Machine", result.machine);
+  fact("Horizon", result.horizon?.sentence);
+  make(facts, "dt", {}, "Command");
+  make(make(facts, "dd"), "code", {}, result.command);
+  if (result.recommended?.sentence) {
+    const card = make(page, "p", { className: "recommended" });
+    make(card, "strong", {}, "Recommended ");
+    card.append(result.recommended.sentence);
+    const { confirmed_error: error } = result.recommended;
+    if (Number.isFinite(error)) make(card, "span", {}, ` A run of its own confirmed an error of ${number(error)} ${measure.unit}.`);
+  }
+}
+
+function list(heading, sentences) {
+  if (!sentences?.length) return;
+  const part = make(page, "section");
+  make(part, "h2", {}, heading);
+  const items = make(part, "ul");
+  for (const sentence of sentences) make(items, "li", {}, sentence);
+}
+
+const all = measures(result);
+const standard = standing(result);
+const state = {
+  result, shown: new Set(result.curves.filter((c) => c.points.some((i) => !result.points[i].trouble))),
+  measure: all.find((m) => m.chosen) ?? all[0], cost: costs.min, logError: true, logCost: true, onlyShown: false,
+  order: { heading: "fastest", down: false }, front: [],
+};
+
+function controls(parent, draw) {
+  const bar = make(parent, "div", { className: "controls" });
+  const groups = Map.groupBy ? Map.groupBy(all, (m) => m.group) : all.reduce((map, m) => map.set(m.group, [...(map.get(m.group) ?? []), m]), new Map());
+  select(bar, "Error", [...groups].map(([group, members]) => [group, members.map((m) => [m.key, `${group in { position: 1, velocity: 1, orientation: 1, spin: 1 } ? `${group}, ` : ""}${m.option}`])]),
+         state.measure.key, (key) => draw({ measure: all.find((m) => m.key === key) }));
+  select(bar, "Cost", [["", Object.entries(costs).map(([key, c]) => [key, c.name])]], "min", (key) => draw({ cost: costs[key] }));
+  checkbox(bar, "log error", true, (logError) => draw({ logError }));
+  checkbox(bar, "log cost", true, (logCost) => draw({ logCost }));
+}
+
+/// Brings out one curve; null: none.
+function light(holder, curve) {
+  holder.classList.toggle("lit", Boolean(curve));
+  for (const old of holder.querySelectorAll(".bright")) old.classList.remove("bright");
+  if (!curve) return;
+  for (const part of holder.querySelectorAll(`.curve-${curve.index}`)) part.classList.add("bright");
+}
+
+function workPrecision() {
+  const part = make(page, "section", { className: "work" });
+  const draw = (change = {}) => {
+    Object.assign(state, change);
+    render();
+  };
+  controls(part, draw);
+  const split = make(part, "div", { className: "split" });
+  const figure = make(split, "figure");
+  const costName = make(figure, "div", { className: "cost-name" });
+  const holder = make(figure, "div", { className: "chart" });
+  const errorName = make(figure, "div", { className: "error-name" });
+  const side = make(split, "aside");
+  const points = make(page, "section", { className: "points" });
+  let redrawLegend = null;
+
+  const drawTable = () => {
+    const place = points.querySelector(".scroll");
+    place.replaceChildren(table({ ...state, onPoint: (p) => light(holder, p && result.curves[p.curve]) }, state.order, drawTable));
+  };
+  const render = () => {
+    const colour = colourOf(result.curves, state.shown, standard);
+    const drawn = chart({ ...state, colour, width: Math.max(320, holder.clientWidth), onPoint: (p) => light(holder, p && result.curves[p.curve]) });
+    holder.replaceChildren(drawn.figure);
+    state.front = drawn.front;
+    costName.textContent = state.cost.name;
+    errorName.replaceChildren();
+    make(errorName, "span", { className: "better" }, "\u2190 more accurate");
+    make(errorName, "span", {}, state.measure.name + (state.measure.unit ? ` [${state.measure.unit}]` : ""));
+    redrawLegend(colour);
+    drawTable();
+  };
+  redrawLegend = legend(side, state, { draw, light: (curve) => light(holder, curve) });
+  make(points, "h2", {}, "All points");
+  checkbox(points, "only of the curves shown above", false, (onlyShown) => ((state.onlyShown = onlyShown), drawTable()));
+  make(points, "div", { className: "scroll" });
+  let width = 0;
+  new ResizeObserver(() => {
+    if (Math.abs(holder.clientWidth - width) < 2) return;
+    width = holder.clientWidth;
+    render();
+  }).observe(holder);
+  return points;
+}
+
+function paths() {
+  if (!result.paths?.length) return;
+  const part = make(page, "section");
+  make(part, "h2", {}, "Paths");
+  const labels = [...new Set(result.paths.map((p) => p.label))];
+  const bodies = [...new Set(result.paths.map((p) => p.body))];
+  const colours = pathColours(labels, standard);
+  const shown = new Set(labels);
+  const bar = make(part, "div", { className: "controls" });
+  const holder = make(part, "div", { className: "chart" });
+  let body = "all";
+  const chosen = () => (body === "all" ? result.paths : result.paths.filter((p) => String(p.body) === body));
+  let projection = bestProjection(result.paths);
+  const render = () => holder.replaceChildren(pathFigure(chosen(), shown, colours, projection, Math.max(320, holder.clientWidth)));
+  select(bar, "View", [["", projections.map((p) => [p.key, p.name])]], projection.key, (key) => {
+    projection = projections.find((p) => p.key === key);
+    render();
+  });
+  if (bodies.length > 1) {
+    select(bar, "Body", [["", [["all", "all"], ...bodies.map((b) => [String(b), String(b)])]]], body, (b) => ((body = b), render()));
+  }
+  for (const label of labels) {
+    const field = make(bar, "label", { className: "check" });
+    const input = make(field, "input", { type: "checkbox", checked: true });
+    make(field, "i", { className: label.startsWith("reference") ? "stroke thin" : "stroke" }).style.background = colours.get(label) ?? grey;
+    field.append(label);
+    input.onchange = () => (shown[input.checked ? "add" : "delete"](label), render());
+  }
+  let width = 0;
+  new ResizeObserver(() => {
+    if (Math.abs(holder.clientWidth - width) < 2) return;
+    width = holder.clientWidth;
+    render();
+  }).observe(holder);
+}
+
+head();
+const points = workPrecision();
+list("Where curves cross", result.crossovers);
+paths();
+list("Left out", result.left_out);
+page.append(points);

@@ -23,7 +23,7 @@ class Flight {
 
 std::optional<ExactMotion> ballistic(const LoneBody& body) {
   if (!moves_freely(body) || !spins_uniformly(body)) return std::nullopt;
-  return motion_of<Flight>("free flight (Landau & Lifshitz, Mechanics 25)", body);
+  return motion_of<Flight>("free flight, with linear drag if any (variation of constants)", body);
 }
 
 }  // namespace ballpark::cost

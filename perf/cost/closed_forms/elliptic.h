@@ -93,7 +93,7 @@ class Elliptic {
   /// K, a quarter of the period. A&S 17.6.3.
   R quarter() const { return m1_ > 0 ? std::numbers::pi_v<R> / (2 * mean_) : std::numeric_limits<R>::infinity(); }
 
-  /// Descending Landen transformation, A&S 16.4; m = 1: A&S 16.15.
+  /// Descending Landen transformation, A&S 16.4; m = 1: A&S 16.6.
   Values at(R u) const {
     R phi = m1_ > 0 ? std::ldexp(mean_ * u, levels_) : 2 * std::atan(std::tanh(u / 2));
     for (int n = levels_; n-- > 0;) phi = (phi + std::asin(ratios_[n] * std::sin(phi))) / 2;

@@ -10,7 +10,7 @@ inline bool moves_freely(const LoneBody& body) {
   return only_these_act(body, {"gravity", "linear_drag"});
 }
 
-/// x'' = g - b x' (Landau & Lifshitz, Mechanics 25, for a constant force): with z = -b t,
+/// x'' = g - b x' by variation of constants (Hochbruck & Ostermann, Acta Numerica 19 (2010) 2.1): with z = -b t,
 ///   v = v0 e^z + g t phi_1(z),   x = x0 + v0 t phi_1(z) + g t^2 phi_2(z).
 template <class R>
 class FreePath {

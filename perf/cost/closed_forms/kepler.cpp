@@ -9,7 +9,7 @@ namespace ballpark::cost {
 
 namespace {
 
-/// Danby, Fundamentals of Celestial Mechanics, 6.9: G_k = s^k c_k(a s^2), a = 2/r0 - v0^2/mu, q = r0.v0/sqrt mu,
+/// Danby, Fundamentals of Celestial Mechanics, ch. 6: G_k = s^k c_k(a s^2), a = 2/r0 - v0^2/mu, q = r0.v0/sqrt mu,
 ///   sqrt(mu) t = r0 G1 + q G2 + G3,   r = r0 G0 + q G1 + G2,   x = f x0 + g v0 with
 ///   f = 1 - G2/r0,  g = (r0 G1 + q G2)/sqrt mu,  f' = -sqrt(mu) G1/(r r0),  g' = 1 - G2/r.
 template <class R>
@@ -85,8 +85,8 @@ class Orbit {
 std::optional<ExactMotion> kepler(const LoneBody& body) {
   const bool lone = body.effects.size() == 1 && body.effects.front()->kind == "central_gravity";
   if (!lone || !spins_uniformly(body)) return std::nullopt;
-  return motion_of<Orbit>("Kepler's equation in universal variables (Danby, Fundamentals of Celestial Mechanics 6.9)",
-                          body);
+  return motion_of<Orbit>(
+      "Kepler's equation in universal variables (Danby, Fundamentals of Celestial Mechanics, ch. 6)", body);
 }
 
 }  // namespace ballpark::cost

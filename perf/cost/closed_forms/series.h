@@ -28,7 +28,7 @@ R phi2(R z) {
   return std::abs(z) < 1 ? tail_series(z, 2) / 2 : (std::expm1(z) - z) / (z * z);
 }
 
-/// Stumpff's functions c_k(x) = sum_j (-x)^j / (2j + k)! (Danby, Fundamentals of Celestial Mechanics, 6.9).
+/// Stumpff's functions c_k(x) = sum_j (-x)^j / (2j + k)! (Danby, Fundamentals of Celestial Mechanics, ch. 6).
 template <class R>
 struct Stumpff {
   R c0, c1, c2, c3, c4;

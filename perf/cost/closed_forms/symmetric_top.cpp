@@ -26,7 +26,7 @@ R rising_root_of(const Cubic<R>& p, R end) {
 /// How far the axis leans: cosine u of the angle to the vertical, u'^2 = f(u) = (1 - u^2)(E - B u) - (b - a u)^2, B = 2
 /// m g l/J1, b and a the vertical and axial momenta over J1 (Goldstein, Classical Mechanics 5.7). u swings between
 /// roots u1 <= u2 of f, the third is u3: u = u1 + D sn^2, D = u2 - u1, rate^2 = B (u3 - u1)/4, m = D/(u3 - u1)
-/// (Whittaker, Analytical Dynamics 71-72). Roots are sought from the start, from the zenith and from the nadir, each as
+/// (Whittaker, Analytical Dynamics 71). Roots are sought from the start, from the zenith and from the nadir, each as
 /// a distance, as differences of roots lose digits.
 template <class R>
 class Nutation {

@@ -22,8 +22,8 @@ struct Seen {
   R turn;                    ///< of the body about its momentum, in excess of the shortest way [rad]
 };
 
-/// Landau & Lifshitz, Mechanics 37, eqs. 37.8-37.12: w_c = C cn u, w_b = B sn u, w_a = A dn u, u = rate t + u0. The
-/// angle of precession is an integral of the third kind (37.17-37.20, and Hairer, Lubich & Wanner, Geometric Numerical
+/// Landau & Lifshitz, Mechanics 37: w_c = C cn u, w_b = B sn u, w_a = A dn u, u = rate t + u0. The
+/// angle of precession is an integral of the third kind (there, and in Hairer, Lubich & Wanner, Geometric Numerical
 /// Integration VII.5):  Phi' = L/Ia + L (Ia - Ic)/(Ia Ic) / (cn^2 u + n sn^2 u),  n = Ib |Ia - Ic|/(Ic |Ia - Ib|).
 template <class R>
 class ThreeMoments {

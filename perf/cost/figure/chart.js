@@ -37,6 +37,12 @@ function ticks([low, high], length, room) {
   return found;
 }
 
+function evenTicks([low, high], n) {
+  const least = (high - low) / n, size = 10 ** Math.floor(Math.log10(least));
+  const step = size * [1, 2, 5, 10].find((factor) => factor * size >= least * 0.999);
+  return Array.from({ length: Math.floor(high / step) - Math.ceil(low / step) + 1 }, (_, i) => (Math.ceil(low / step) + i) * step);
+}
+
 function logDomain(values, floor, cap) {
   const positive = values.filter((v) => v > 0).map((v) => Math.min(v, cap));
   let low = positive.length ? Math.log10(Math.min(...positive)) - 0.35 : Math.log10(floor || 1e-12) - 1;
@@ -52,7 +58,8 @@ function logDomain(values, floor, cap) {
 function axis(log, values, length, room, text, { floor = 0, cap = Infinity } = {}) {
   const domain = log ? logDomain(values, floor, cap) : [0, Math.max(...values.filter(Number.isFinite), Number.MIN_VALUE) * 1.05 || 1];
   return { type: log ? "log" : "linear", domain, clamp: true,
-           ticks: log ? ticks(domain, length, room) : Math.max(3, Math.floor(length / (1.6 * room))), tickFormat: text };
+           ticks: log ? ticks(domain, length, room) : evenTicks(domain, Math.max(3, Math.floor(length / (1.6 * room)))),
+           tickFormat: text };
 }
 
 function about(point, curve, measure) {
@@ -93,10 +100,11 @@ function plan(view) {
     ({ curve, points: curve.points.map((i) => result.points[i]).filter((p) => drawable(p, measure, cost)) }));
   const points = curves.flatMap((c) => c.points);
   const scale = result.reference?.scale?.[measure.group];
-  const margins = { marginLeft: 68, marginRight: 20, marginTop: 16, marginBottom: 48 };
+  const margins = { marginLeft: 68, marginRight: 20, marginTop: 16, marginBottom: 34 };
   const xAxis = axis(logError, points.map(measure.of), width - 90, 44, logError ? power : (v) => number(v),
                      { floor: measure.floor, cap: scale > 0 ? 100 * scale : Infinity });
-  const yAxis = axis(logCost, points.map(cost.of), height - 64, 24, cost.text);
+  const spent = points.length ? points.map(cost.of) : cost.text === seconds ? [1e-5, 1e-2] : [1e2, 1e5];
+  const yAxis = axis(logCost, spent, height - 50, 24, cost.text);
   if (logCost) yAxis.domain[1] *= 1.4;
   const clampTo = (value, [low, high]) => Math.min(Math.max(value, low), high);
   return { curves, points, height, margins, xAxis, yAxis,
@@ -113,7 +121,8 @@ function nameAll(svg, view, { curves, points, x, y, height }, special) {
     names.push({ text: curve.label, colour: view.colour(curve), anchors: [anchors.at(-1), anchors[0], ...anchors.slice(1, -1).reverse()] });
   }
   const avoid = curves.filter(({ curve }) => view.colour(curve) !== grey).flatMap(({ points: own }) => along(own.map(at)));
-  name(svg, names, avoid.concat(points.map(at)), { left: 70, top: 16, right: view.width - 4, bottom: height - 50 });
+  if (view.measure.floor > xs.domain[0]) avoid.push(...along([[80, height - 40], [80, height - 240]]));  // words along the edge
+  name(svg, names, avoid.concat(points.map(at)), { left: 70, top: 16, right: view.width - 4, bottom: height - 36 });
 }
 
 /// Returns {figure, front}: the picture, which tells of the point under the pointer by `onPoint`.
@@ -132,11 +141,11 @@ export function chart(view) {
     x: { ...p.xAxis, label: null }, y: { ...p.yAxis, label: null }, color: { type: "identity" },
     marks: [
       Plot.rectX(floor, { x1: p.xAxis.domain[0], x2: (v) => v, fill: "var(--floor)" }),
-      Plot.gridX({ ticks: p.xAxis.ticks, stroke: "var(--grid)", strokeOpacity: 1 }),
-      Plot.gridY({ ticks: p.yAxis.ticks, stroke: "var(--grid)", strokeOpacity: 1 }),
+      Plot.gridX(p.xAxis.ticks, { stroke: "var(--grid)", strokeOpacity: 1 }),
+      Plot.gridY(p.yAxis.ticks, { stroke: "var(--grid)", strokeOpacity: 1 }),
       Plot.frame({ stroke: "var(--line)" }),
-      Plot.axisX({ ticks: p.xAxis.ticks, tickFormat: p.xAxis.tickFormat, label: null, fontSize: 12, color: "var(--soft)" }),
-      Plot.axisY({ ticks: p.yAxis.ticks, tickFormat: p.yAxis.tickFormat, label: null, fontSize: 12, color: "var(--soft)" }),
+      Plot.axisX(p.xAxis.ticks, { text: p.xAxis.tickFormat, label: null, fontSize: 12, color: "var(--soft)" }),
+      Plot.axisY(p.yAxis.ticks, { text: p.yAxis.tickFormat, label: null, fontSize: 12, color: "var(--soft)" }),
       Plot.line(frontLine(best, x, y, p.xAxis.domain, p.yAxis.domain),
                 { curve: "step-after", stroke: "var(--front)", strokeWidth: 7, strokeLinejoin: "round", className: "front" }),
       ...strongLast.flatMap(({ curve, points }) => curveMarks(curve, points, { x, y, colour: view.colour(curve), measure })),
@@ -144,8 +153,10 @@ export function chart(view) {
       Plot.dot(special.filter((s) => s.dashed).map((s) => s.point), { x, y, ...cssRing, strokeDasharray: "3 2.5" }),
       Plot.text(floor, { x: p.xAxis.domain[0], text: (v) => `no error below ${number(v)} ${measure.unit} is claimed`, frameAnchor: "bottom-left",
                          rotate: -90, dx: 12, dy: -8, textAnchor: "start", fill: "var(--floor-ink)", fontSize: 11 }),
+      Plot.text(p.points.length ? [] : ["nothing to draw: no curve is chosen, or none gave this error"],
+                { frameAnchor: "middle", fontSize: 14, fill: "var(--soft)" }),
       Plot.tip(p.points, Plot.pointer({ x, y, title: (q) => about(q, result.curves[q.curve], measure), fill: "var(--card)",
-                                        stroke: "var(--line)", fontSize: 12, lineWidth: 40, textPadding: 10, maxRadius: 30 })),
+                                        stroke: "var(--line)", fontSize: 12, lineWidth: 40, lineHeight: 1.35, textPadding: 10, maxRadius: 30 })),
     ],
   });
   const svg = figure.tagName === "svg" ? figure : figure.querySelector("svg:last-of-type");

@@ -22,7 +22,10 @@ export const costs = {
 
 export function number(x, digits = 3) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "";
-  return String(Number(x.toPrecision(digits)));
+  const rounded = Number(x.toPrecision(digits));
+  const size = Math.abs(rounded);
+  if (size !== 0 && (size < 1e-4 || size >= 1e6)) return rounded.toExponential().replace("e+", "e");
+  return String(rounded);
 }
 
 export function seconds(s) {

@@ -12,7 +12,7 @@ result.curves.forEach((curve, index) => (curve.index = index));
 const page = document.getElementById("page");
 
 /// An element; text is never markup.
-export function make(parent, tag, properties = {}, text = "") {
+function make(parent, tag, properties = {}, text = "") {
   const element = parent.appendChild(document.createElement(tag));
   Object.assign(element, properties);
   if (text) element.append(text);
@@ -48,7 +48,8 @@ function head() {
     make(facts, "dt", {}, name);
     make(facts, "dd", {}, text);
   };
-  fact("Reference", [`${reference.kind}: ${reference.what}`, bar ? `itself within ${number(bar)} ${measure.unit}` : ""].filter(Boolean).join("; "));
+  fact("Reference", [`${reference.kind}: ${reference.what}`, bar ? `itself within ${number(bar)} ${measure.unit}` : "",
+    reference.floor ? `no error below ${number(reference.floor)} ${measure.unit} is claimed` : ""].filter(Boolean).join("; "));
   fact("Run", `${number(result.duration)} s simulated, ${bodies} ${bodies === 1 ? "body" : "bodies"}` +
     (compared < bodies ? `, ${compared} compared` : "") + `, ${result.threads} thread${result.threads === 1 ? "" : "s"}`);
   fact("Machine", result.machine);
@@ -73,12 +74,12 @@ function list(heading, sentences) {
 }
 
 const all = measures(result);
-const standard = standing(result);
 const state = {
   result, shown: new Set(result.curves.filter((c) => c.points.some((i) => !result.points[i].trouble))),
   measure: all.find((m) => m.chosen) ?? all[0], cost: costs.min, logError: true, logCost: true, onlyShown: false,
   order: { heading: "fastest", down: false }, front: [],
 };
+const standard = standing(result, state.measure, state.cost);
 
 function controls(parent, draw) {
   const bar = make(parent, "div", { className: "controls" });
@@ -88,6 +89,18 @@ function controls(parent, draw) {
   select(bar, "Cost", [["", Object.entries(costs).map(([key, c]) => [key, c.name])]], "min", (key) => draw({ cost: costs[key] }));
   checkbox(bar, "log error", true, (logError) => draw({ logError }));
   checkbox(bar, "log cost", true, (logCost) => draw({ logCost }));
+}
+
+/// Now, and when its width has changed.
+function whenResized(element, draw) {
+  let width = 0;
+  const look = () => {
+    if (Math.abs(element.clientWidth - width) < 2) return;
+    width = element.clientWidth;
+    draw();
+  };
+  look();
+  new ResizeObserver(() => requestAnimationFrame(look)).observe(element);
 }
 
 /// Brings out one curve; null: none.
@@ -119,7 +132,7 @@ function workPrecision() {
     place.replaceChildren(table({ ...state, onPoint: (p) => light(holder, p && result.curves[p.curve]) }, state.order, drawTable));
   };
   const render = () => {
-    const colour = colourOf(result.curves, state.shown, standard);
+    const colour = colourOf(result.curves, state.shown, standing(result, state.measure, state.cost, standard));
     const drawn = chart({ ...state, colour, width: Math.max(320, holder.clientWidth), onPoint: (p) => light(holder, p && result.curves[p.curve]) });
     holder.replaceChildren(drawn.figure);
     state.front = drawn.front;
@@ -134,12 +147,7 @@ function workPrecision() {
   make(points, "h2", {}, "All points");
   checkbox(points, "only of the curves shown above", false, (onlyShown) => ((state.onlyShown = onlyShown), drawTable()));
   make(points, "div", { className: "scroll" });
-  let width = 0;
-  new ResizeObserver(() => {
-    if (Math.abs(holder.clientWidth - width) < 2) return;
-    width = holder.clientWidth;
-    render();
-  }).observe(holder);
+  whenResized(holder, render);
   return points;
 }
 
@@ -171,12 +179,7 @@ function paths() {
     field.append(label);
     input.onchange = () => (shown[input.checked ? "add" : "delete"](label), render());
   }
-  let width = 0;
-  new ResizeObserver(() => {
-    if (Math.abs(holder.clientWidth - width) < 2) return;
-    width = holder.clientWidth;
-    render();
-  }).observe(holder);
+  whenResized(holder, render);
 }
 
 head();

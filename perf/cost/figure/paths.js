@@ -54,7 +54,7 @@ export function pathFigure(paths, shown, colours, projection, width) {
   const label = (axis) => `${axes[axis]} [${units[axis]}]`;
   return Plot.plot({
     width, height: height + 56, marginLeft: 60, marginRight: 20, marginTop: 10, marginBottom: 46,
-    style: { background: "transparent" }, color: { type: "identity" },
+    style: { background: "transparent", fontSize: "12px" }, color: { type: "identity" },
     x: { domain: widened(all[across], x), label: label(across), labelAnchor: "center", labelArrow: "none", tickFormat: (v) => number(v), ticks: Math.floor(inner / 90) },
     y: { domain: widened(all[up], y), label: label(up), labelAnchor: "center", labelArrow: "none", tickFormat: (v) => number(v), ticks: Math.max(3, Math.floor(height / 60)) },
     marks: [
@@ -62,7 +62,7 @@ export function pathFigure(paths, shown, colours, projection, width) {
       ...[...drawn].sort((a, b) => a.label.startsWith("reference") - b.label.startsWith("reference")).map((path) =>
         Plot.line(path.points, { x: (p) => p[across], y: (p) => p[up], stroke: colours.get(path.label), clip: true,
                                  strokeWidth: path.label.startsWith("reference") ? 1 : 2.4 })),
-      Plot.tip(points, Plot.pointer({ ...within, maxRadius: 20, fill: "var(--card)", stroke: "var(--line)", fontSize: 12, title: ({ path, point }) =>
+      Plot.tip(points, Plot.pointer({ ...within, maxRadius: 20, fill: "var(--card)", stroke: "var(--line)", fontSize: 12, lineHeight: 1.35, title: ({ path, point }) =>
         `${path.label}\nbody ${path.body}, ${number(point[0])} s\n(${point.slice(1).map((v) => number(v, 5)).join(", ")}) m` })),
     ],
   });

@@ -11,19 +11,28 @@ export const nameOf = (curve) => curve.label.replace(/, (single|double|extended)
 /// How a curve ranks for a colour, the less the better, as in the still picture: those of the front first, then the
 /// scene's own, then what is near the front.
 function rank(result, curve, best, measure, cost) {
-  const points = curve.points.map((i) => result.points[i]).filter((p) => drawable(p, measure, cost) && claimed(p, measure));
+  const points = curve.points
+    .map((i) => result.points[i])
+    .filter((p) => drawable(p, measure, cost) && claimed(p, measure));
   const onFront = points.filter((p) => best.includes(p)).length;
   if (onFront) return -1 - onFront;
   const recommended = result.points[result.recommended?.point];
   if (points.some((p) => p === recommended || isScene(p, result.scene))) return -1;
-  const cheapest = (point) => Math.min(cost.of(point), ...best.filter((p) => measure.of(p) <= measure.of(point)).map(cost.of));
+  const cheapest = (point) =>
+    Math.min(cost.of(point), ...best.filter((p) => measure.of(p) <= measure.of(point)).map(cost.of));
   return Math.min(...points.map((p) => Math.log(cost.of(p) / cheapest(p))));
 }
 
 /// The curves that stand out when all are shown, and the colours of their names, which they keep from `before`.
 export function standing(result, measure, cost, before) {
-  const best = front(result.points.filter((p) => drawable(p, measure, cost)), measure, cost);
-  const ranked = result.curves.map((curve) => [rank(result, curve, best, measure, cost), curve]).sort((a, b) => a[0] - b[0]);
+  const best = front(
+    result.points.filter((p) => drawable(p, measure, cost)),
+    measure,
+    cost,
+  );
+  const ranked = result.curves
+    .map((curve) => [rank(result, curve, best, measure, cost), curve])
+    .sort((a, b) => a[0] - b[0]);
   const curves = new Set(ranked.slice(0, palette.length).map(([, curve]) => curve));
   const names = [...new Set([...curves].map(nameOf))];
   const colours = new Map(names.filter((n) => before?.colours.has(n)).map((n) => [n, before.colours.get(n)]));
@@ -53,7 +62,7 @@ export function pathColours(labels, { colours }) {
   for (const label of labels) {
     const name = [...colours.keys()].filter((n) => label.startsWith(n)).sort((a, b) => b.length - a.length)[0];
     if (label.startsWith("reference")) found.set(label, "var(--ink)");
-    else found.set(label, name ? colours.get(name) : spare.shift() ?? grey);
+    else found.set(label, name ? colours.get(name) : (spare.shift() ?? grey));
   }
   return found;
 }

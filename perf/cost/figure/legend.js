@@ -7,10 +7,26 @@ import * as Plot from "@observablehq/plot";
 
 function sample(curve, colour) {
   return Plot.plot({
-    width: 30, height: 14, margin: 0, axis: null, x: { domain: [0, 30] }, y: { domain: [0, 14] }, color: { type: "identity" },
+    width: 30,
+    height: 14,
+    margin: 0,
+    axis: null,
+    x: { domain: [0, 30] },
+    y: { domain: [0, 14] },
+    color: { type: "identity" },
     style: { background: "transparent" },
     marks: [
-      Plot.line([[0, 7], [30, 7]], { stroke: colour, strokeWidth: colour === grey ? 1 : 2, strokeDasharray: curve.precision === "single" ? "5 3" : undefined }),
+      Plot.line(
+        [
+          [0, 7],
+          [30, 7],
+        ],
+        {
+          stroke: colour,
+          strokeWidth: colour === grey ? 1 : 2,
+          strokeDasharray: curve.precision === "single" ? "5 3" : undefined,
+        },
+      ),
       Plot.dot([[15, 7]], { fill: colour, symbol: symbol(curve.order), r: 4 }),
     ],
   });
@@ -47,9 +63,14 @@ export function legend(side, state, { draw, light }) {
   if (precisions.length > 1) {
     const row = side.appendChild(document.createElement("div"));
     row.className = "row precisions";
-    row.append(document.createElement("span"), ...precisions.map((p) => Object.assign(document.createElement("div"), { textContent: p })));
+    row.append(
+      document.createElement("span"),
+      ...precisions.map((p) => Object.assign(document.createElement("div"), { textContent: p })),
+    );
   }
-  const cells = new Map(), heads = [], names = [];
+  const cells = new Map(),
+    heads = [],
+    names = [];
   for (const [family, curves] of families) {
     const group = side.appendChild(document.createElement("fieldset"));
     const head = group.appendChild(document.createElement("legend")).appendChild(document.createElement("label"));
@@ -57,7 +78,11 @@ export function legend(side, state, { draw, light }) {
     whole.type = "checkbox";
     head.append(family);
     heads.push({ whole, curves });
-    whole.onchange = () => toggle(curves.filter((c) => usable.includes(c)), whole.checked);
+    whole.onchange = () =>
+      toggle(
+        curves.filter((c) => usable.includes(c)),
+        whole.checked,
+      );
     for (const name of new Set(curves.map(nameOf))) {
       const own = curves.filter((c) => nameOf(c) === name);
       const row = group.appendChild(document.createElement("div"));
@@ -75,7 +100,9 @@ export function legend(side, state, { draw, light }) {
     input.type = "checkbox";
     input.disabled = !usable.includes(curve);
     input.setAttribute("aria-label", curve.label);
-    label.title = input.disabled ? result.points[curve.points[0]]?.trouble ?? "no points" : `${curve.integrator}, ${curve.precision}`;
+    label.title = input.disabled
+      ? (result.points[curve.points[0]]?.trouble ?? "no points")
+      : `${curve.integrator}, ${curve.precision}`;
     input.onchange = () => toggle([curve], input.checked);
     label.onmouseenter = () => light(state.shown.has(curve) ? curve : null);
     label.onmouseleave = () => light(null);
@@ -87,7 +114,11 @@ export function legend(side, state, { draw, light }) {
       input.checked = state.shown.has(curve);
       swatch.replaceChildren(sample(curve, input.checked ? colour(curve) : "var(--line)"));
     }
-    for (const { words, own } of names) words.classList.toggle("on-front", own.some((c) => onFront.has(c)));
+    for (const { words, own } of names)
+      words.classList.toggle(
+        "on-front",
+        own.some((c) => onFront.has(c)),
+      );
     for (const { whole, curves } of heads) {
       const on = curves.filter((c) => state.shown.has(c)).length;
       whole.checked = on > 0;

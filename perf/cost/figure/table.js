@@ -20,12 +20,14 @@ function columns(result, measure, front) {
     ["state", (p) => p.state_hash],
     ["note", (p) => (p.trouble ? p.trouble : front.has(p) ? "on the front" : claimed(p, measure) ? "" : "not claimed")],
   ].map(([heading, of, text]) => ({ heading, of, text, numeric: Boolean(text) }));
-  return list.filter(({ of }) => result.points.some((p) => of(p) !== null && of(p) !== undefined && of(p) !== "" && of(p) !== 0));
+  return list.filter(({ of }) =>
+    result.points.some((p) => of(p) !== null && of(p) !== undefined && of(p) !== "" && of(p) !== 0),
+  );
 }
 
 function compare(a, b) {
   const [none, other] = [a === null || a === undefined || a === "", b === null || b === undefined || b === ""];
-  if (none || other) return none - other;  // what is missing comes last
+  if (none || other) return none - other; // what is missing comes last
   return typeof a === "number" ? a - b : String(a).localeCompare(String(b));
 }
 

@@ -34,8 +34,10 @@ std::string inert(const std::string& json) {
 
 std::string page(const std::string& json, const std::string& title) {
   const std::string heading = draw::escaped(title), data = inert(json);
-  const std::array<std::pair<std::string_view, std::string_view>, 4> parts{
-      {{"@TITLE@", heading}, {"@STYLE@", figure::figure_css}, {"@RESULT@", data}, {"@SCRIPT@", figure::figure_bundle_js}}};
+  const std::array<std::pair<std::string_view, std::string_view>, 4> parts{{{"@TITLE@", heading},
+                                                                            {"@STYLE@", figure::figure_css},
+                                                                            {"@RESULT@", data},
+                                                                            {"@SCRIPT@", figure::figure_bundle_js}}};
   // In the order of the template, so that what is put in is never searched.
   std::string_view rest = figure::template_html;
   std::string out;

@@ -86,11 +86,6 @@ struct Horizon {
   std::string sentence;
 };
 
-/// Where two curves cross.
-struct Crossover {
-  std::string sentence;
-};
-
 /// The cheapest setting that is accurate enough, or the most accurate that is cheap enough.
 struct Recommendation {
   std::size_t point = 0;
@@ -113,13 +108,15 @@ struct Result {
   double duration = 0;                   ///< [s]
   int threads = 1;
   Quantity quantity = Quantity::position;
-  std::string measure, measure_unit;  ///< "largest position error along the path", "m"
+  std::string which = "maximum";      ///< of the quantity's distances: "end", "maximum" or "rms"
+  std::string measure, measure_unit;  ///< "largest position error along the path, of all bodies", "m"
   Reference reference;
-  double floor = 0;  ///< no error below this is claimed: ten times the reference's own
+  double floor = 0;    ///< no error below this is claimed: ten times the reference's own
+  double ceiling = 0;  ///< larger errors are no answer: a tenth of how far things go
   std::optional<Horizon> horizon;
   std::vector<Curve> curves;
   std::vector<Point> points;
-  std::vector<Crossover> crossovers;
+  std::vector<std::string> crossovers;
   std::vector<std::string> left_out;  ///< what was not tried, or does not count, and why
   std::optional<Recommendation> recommended;
   std::optional<Setting> scene_setting;  ///< as the scene file has it

@@ -12,6 +12,16 @@ using namespace draw;
 
 constexpr double width = 1000, left = 104, right = 930, chart_height = 560;
 
+std::string reference_text(const Result& result) {
+  const std::string unit = result.measure_unit.empty() ? "" : " " + result.measure_unit;
+  const double bar = result.reference.error_bar[static_cast<std::size_t>(result.quantity)];
+  std::string text = "Reference: " + result.reference.kind;
+  if (!result.reference.what.empty()) text += ", " + result.reference.what;
+  if (bar > 0) text += "; itself within " + number(bar) + unit;
+  if (result.floor > 0) text += "; no error below " + number(result.floor) + unit + " is claimed";
+  return text + ".";
+}
+
 /// Returns where the next line may begin.
 double draw_head(Canvas& canvas, const Result& result) {
   double y = 36;
@@ -25,11 +35,7 @@ double draw_head(Canvas& canvas, const Result& result) {
   };
   y += 3;
   if (!result.doc.empty()) paragraph(result.doc, dark, "");
-  const std::string unit = result.measure_unit.empty() ? "" : " " + result.measure_unit;
-  const double bar = result.reference.error_bar[static_cast<std::size_t>(result.quantity)];
-  paragraph(fmt::format("Reference: {}, {}; itself within {}{}, so no error below {}{} is claimed.",
-                        result.reference.kind, result.reference.what, number(bar), unit, number(result.floor), unit),
-            medium, "");
+  if (!result.reference.kind.empty()) paragraph(reference_text(result), medium, "");
   if (result.horizon && !result.horizon->sentence.empty()) paragraph(result.horizon->sentence, medium, "");
   std::string setup = fmt::format("{} s simulated", number(result.duration));
   if (result.compared < result.bodies)

@@ -42,11 +42,41 @@ constexpr Option profile_options[] = {
     {"--seconds", "S", "time for all measuring, about (default: 5)", &Arguments::seconds},
 };
 
+constexpr Option cost_options[] = {
+    {"--integrators", "LIST", "only these, for example rk4,velocity_verlet", &Arguments::integrators},
+    {"--steps", "LIST", "only these fixed steps [s], for example 1e-2,1e-3", &Arguments::axis_steps},
+    {"--tolerances", "LIST", "only these tolerances of adaptive integrators", &Arguments::tolerances},
+    {"--precisions", "LIST", "of single, double, extended (default: single,double)", &Arguments::precisions},
+    {"--contacts", "LIST", "iterations x substeps of impulse contacts, for example 12x1,12x4",
+     &Arguments::axis_contacts},
+    {"--error", "E",
+     "what an error is: position, velocity, orientation or spin, and .maximum along the path, .rms or "
+     ".end (default: position.maximum, or orientation)",
+     &Arguments::error},
+    {"--reference", "R", "best, numerical (no closed form) or runs (the two finest runs)", &Arguments::reference},
+    {"--seconds", "S", "time for all measuring, about (default: 60)", &Arguments::seconds},
+};
+constexpr Option order_options[] = {
+    {"--integrators", "LIST", "only these, for example rk4,velocity_verlet", &Arguments::integrators},
+    {"--error", "E", "what an error is, see `cost` (default: position.maximum, or orientation)", &Arguments::error},
+    {"--reference", "R", "best, numerical (no closed form) or runs (the two finest runs)", &Arguments::reference},
+    {"--seconds", "S", "time for all measuring, about (default: 20)", &Arguments::seconds},
+};
+constexpr Option cost_choices[] = {
+    {"--tolerance", "E", "name the cheapest setting whose error is at most E", &Arguments::tolerance},
+    {"--budget", "T", "name the most accurate setting of at most T (2ms) a simulated second", &Arguments::budget},
+    {"--svg", "FILE", "the work-precision figure", &Arguments::svg},
+    {"--html", "FILE", "the same as an interactive page that opens offline", &Arguments::html},
+    {"--csv", "FILE", "all points", &Arguments::csv},
+};
+
 struct Command {
   const char *name, *word, *word_doc, *doc, *footer;
   bool takes_scene;
   std::span<const Option> own_options;
   const char* own_group;
+  std::span<const Option> more_options = {};
+  const char* more_group = "";
 };
 
 constexpr const char* scene_doc = "a scene file, or a scenario's name";
@@ -73,6 +103,10 @@ const Command commands[] = {
     {"check", "SCENE", scene_doc, "Validate a scene without running it.", help::check, true, {}, ""},
     {"profile", "SCENE", scene_doc, "Measure where the time goes, and thread scaling.", help::profile, true,
      profile_options, "Measuring"},
+    {"cost", "SCENE", scene_doc, "Measure error against wall time over the ways to run a scene.", help::cost, true,
+     cost_options, "What to try", cost_choices, "What to name and write"},
+    {"order", "SCENE", scene_doc, "Measure the order that each integrator shows on a scene.", help::order, true,
+     order_options, "Measuring"},
 };
 
 /// CLI11's help, with descriptions wrapped to the page and usage lines that name the word.
@@ -139,6 +173,10 @@ void add_command(CLI::App& program, const Command& command, Arguments& arguments
     for (const Option& option : scene_options) add_option(app, option, arguments, "Scene");
   }
   for (const Option& option : command.own_options) add_option(app, option, arguments, command.own_group);
+  for (const Option& option : command.more_options) add_option(app, option, arguments, command.more_group);
+  if (command.name == std::string("cost")) {
+    app.add_flag("--write", arguments.write, "write the named setting into the scene file")->group(command.more_group);
+  }
   add_common(app, arguments);
   app.footer(command.footer + std::string(command.takes_scene ? "\n" : "\n\n") +
              (command.takes_scene ? help::scene_word : "") + help::exit_codes);

@@ -15,6 +15,8 @@ Exit run(const Arguments& arguments);
 Exit explain(const Arguments& arguments);
 Exit check_scene(const Arguments& arguments);
 Exit profile(const Arguments& arguments);
+Exit cost_of_accuracy(const Arguments& arguments);
+Exit order_of_accuracy(const Arguments& arguments);
 
 /// What `list` can show, in order.
 const std::vector<std::string>& list_sections();

@@ -82,4 +82,30 @@ inline constexpr const char* profile =
     "(STREAM triad, measured in the same run). Then throughput at 1..N threads, in\n"
     "interleaved repeats that all start from the scene's start.\n";
 
+inline constexpr const char* cost =
+    "Examples:\n"
+    "  ballpark cost pendulum --html pendulum.html\n"
+    "  ballpark cost my.toml --tolerance 1e-6 --write\n"
+    "  ballpark cost kepler --integrators rk4,yoshida4,dormand_prince8 --seconds 10\n"
+    "\n"
+    "Runs the scene by every integrator that it takes, from coarse steps to fine ones\n"
+    "(tolerances likewise), in both precisions, and with more and fewer iterations\n"
+    "and substeps of impulse contacts. Each run's error is held against a closed form\n"
+    "if every body has one; else against extrapolation in extended precision at two\n"
+    "tolerances; else against the finest of two runs. No error below ten times the\n"
+    "reference's own is claimed. Whole runs are timed in turns, from the scene's\n"
+    "start, on the code path of `ballpark run`; errors are looked at 20 times.\n"
+    "\n"
+    "--tolerance: with a margin of 2, and proved by a fresh run; exit code 1 if\n"
+    "nothing that was tried is accurate enough. --write changes integrator, step or\n"
+    "tolerance, precision and contact settings in the scene file, and nothing else.\n";
+
+inline constexpr const char* order =
+    "Example:\n"
+    "  ballpark order bounce\n"
+    "\n"
+    "Halves the step of every integrator that the scene takes, down to rounding, and\n"
+    "shows how the error falls: by 2^p for a method of order p. Where bodies touch it\n"
+    "falls slower: the table says by how much.\n";
+
 }  // namespace ballpark::command::help

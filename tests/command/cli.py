@@ -4,11 +4,12 @@ usage: cli.py PROGRAM SCENARIOS_FOLDER [unittest options]"""
 import sys
 import unittest
 
+from cost_cases import Cost, Order
 from file_cases import Files, Streams
 from scene_cases import Profile, Runs, Scenes
 from usage_cases import Catalogue, Usage
 
-__all__ = ["Catalogue", "Files", "Profile", "Runs", "Scenes", "Streams", "Usage"]
+__all__ = ["Catalogue", "Cost", "Files", "Order", "Profile", "Runs", "Scenes", "Streams", "Usage"]
 
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

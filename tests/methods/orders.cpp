@@ -99,7 +99,7 @@ void keep_their_orders_on(Scene made, std::uint64_t steps_of_fifth_order) {
   made.run.precision = Precision::double_;
   for (const IntegratorDescription& row : integrators_for(made)) {
     // Powers of two divide the duration without rounding, which would show at these orders.
-    const std::uint64_t high = steps_of_fifth_order / (row.order == 10 ? 16 : row.order == 8 ? 8 : 1);
+    const std::uint64_t high = row.order >= 8 ? steps_of_fifth_order / 8 : steps_of_fifth_order;
     const std::uint64_t n = row.order >= 5 ? high : coarsest(row, 16000, 1000, 200);
     made.run.integrator = row.name;
     has_its_order_turning(

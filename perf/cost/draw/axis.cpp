@@ -88,6 +88,7 @@ std::vector<double> round_values(double low, double high, int count) {
 }
 
 std::string number(double x) {
+  if (!std::isfinite(x)) return "?";
   std::string text = fmt::format("{:.3g}", x);
   // 1e-06 as 1e-6
   const std::size_t e = text.find('e');

@@ -22,13 +22,20 @@ export const costs = {
 
 export function number(x, digits = 3) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "";
-  return String(Number(x.toPrecision(digits)));
+  const rounded = Number(x.toPrecision(digits));
+  const size = Math.abs(rounded);
+  if (size !== 0 && (size < 1e-4 || size >= 1e6)) return rounded.toExponential().replace("e+", "e");
+  return String(rounded);
 }
 
 export function seconds(s) {
   if (!Number.isFinite(s)) return "";
   if (s === 0) return "0 s";
-  for (const [size, name] of [[1, "s"], [1e-3, "ms"], [1e-6, "us"]]) {
+  for (const [size, name] of [
+    [1, "s"],
+    [1e-3, "ms"],
+    [1e-6, "us"],
+  ]) {
     if (Math.abs(s) >= size * 0.9995) return `${number(s / size)} ${name}`;
   }
   return `${number(s / 1e-9)} ns`;
@@ -43,7 +50,12 @@ export function count(n) {
 export function power(x) {
   const exponent = Math.round(Math.log10(x));
   if (Math.abs(Math.log10(x) - exponent) > 1e-9 || exponent === 0 || exponent === 1) return number(x);
-  return "10" + String(exponent).replace(/./g, (c) => (c === "-" ? "\u207b" : "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[c]));
+  return (
+    "10" +
+    String(exponent).replace(/./g, (c) =>
+      c === "-" ? "\u207b" : "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[c],
+    )
+  );
 }
 
 /// Every error that is somewhere above zero: {key, name, unit, of(point), floor}.
@@ -59,8 +71,16 @@ export function measures(result) {
       const chosen = quantity === result.measure.quantity && face === result.measure.which;
       const floor = quantity === result.measure.quantity ? result.reference.floor : above * (bar[quantity] ?? 0);
       const name = chosen && result.measure.name ? result.measure.name : `${quantity} error, ${words}`;
-      add({ key: `${quantity}.${face}`, group: quantity, option: words, name, unit, floor, chosen,
-            of: (p) => p.error?.[quantity]?.[face] });
+      add({
+        key: `${quantity}.${face}`,
+        group: quantity,
+        option: words,
+        name,
+        unit,
+        floor,
+        chosen,
+        of: (p) => p.error?.[quantity]?.[face],
+      });
     }
   }
   for (const [key, [name, unit]] of Object.entries(others)) {
@@ -80,7 +100,8 @@ export function drawable(point, measure, cost) {
 
 /// Points that no other is both as accurate as and faster than, the fastest first.
 export function front(points, measure, cost) {
-  const sorted = points.filter((p) => claimed(p, measure))
+  const sorted = points
+    .filter((p) => claimed(p, measure))
     .sort((a, b) => cost.of(a) - cost.of(b) || measure.of(a) - measure.of(b));
   let best = Infinity;
   return sorted.filter((p) => measure.of(p) < best && ((best = measure.of(p)), true));
@@ -102,7 +123,12 @@ export function contactText(contact) {
 const close = (a, b) => (a ?? 0) === (b ?? 0) || Math.abs(a - b) <= 1e-9 * Math.abs(b);
 
 export function isScene(point, scene) {
-  return Boolean(scene) && point.integrator === scene.integrator && point.precision === scene.precision &&
-    close(point.step, scene.step) && close(point.tolerance, scene.tolerance) &&
-    (!scene.contact || JSON.stringify(scene.contact) === JSON.stringify(point.contact));
+  return (
+    Boolean(scene) &&
+    point.integrator === scene.integrator &&
+    point.precision === scene.precision &&
+    close(point.step, scene.step) &&
+    close(point.tolerance, scene.tolerance) &&
+    (!scene.contact || JSON.stringify(scene.contact) === JSON.stringify(point.contact))
+  );
 }

@@ -12,7 +12,7 @@ result.curves.forEach((curve, index) => (curve.index = index));
 const page = document.getElementById("page");
 
 /// An element; text is never markup.
-export function make(parent, tag, properties = {}, text = "") {
+function make(parent, tag, properties = {}, text = "") {
   const element = parent.appendChild(document.createElement(tag));
   Object.assign(element, properties);
   if (text) element.append(text);
@@ -48,9 +48,22 @@ function head() {
     make(facts, "dt", {}, name);
     make(facts, "dd", {}, text);
   };
-  fact("Reference", [`${reference.kind}: ${reference.what}`, bar ? `itself within ${number(bar)} ${measure.unit}` : ""].filter(Boolean).join("; "));
-  fact("Run", `${number(result.duration)} s simulated, ${bodies} ${bodies === 1 ? "body" : "bodies"}` +
-    (compared < bodies ? `, ${compared} compared` : "") + `, ${result.threads} thread${result.threads === 1 ? "" : "s"}`);
+  fact(
+    "Reference",
+    [
+      `${reference.kind}: ${reference.what}`,
+      bar ? `itself within ${number(bar)} ${measure.unit}` : "",
+      reference.floor ? `no error below ${number(reference.floor)} ${measure.unit} is claimed` : "",
+    ]
+      .filter(Boolean)
+      .join("; "),
+  );
+  fact(
+    "Run",
+    `${number(result.duration)} s simulated, ${bodies} ${bodies === 1 ? "body" : "bodies"}` +
+      (compared < bodies ? `, ${compared} compared` : "") +
+      `, ${result.threads} thread${result.threads === 1 ? "" : "s"}`,
+  );
   fact("Machine", result.machine);
   fact("Horizon", result.horizon?.sentence);
   make(facts, "dt", {}, "Command");
@@ -60,7 +73,8 @@ function head() {
     make(card, "strong", {}, "Recommended ");
     card.append(result.recommended.sentence);
     const { confirmed_error: error } = result.recommended;
-    if (Number.isFinite(error)) make(card, "span", {}, ` A run of its own confirmed an error of ${number(error)} ${measure.unit}.`);
+    if (Number.isFinite(error))
+      make(card, "span", {}, ` A run of its own confirmed an error of ${number(error)} ${measure.unit}.`);
   }
 }
 
@@ -73,21 +87,54 @@ function list(heading, sentences) {
 }
 
 const all = measures(result);
-const standard = standing(result);
 const state = {
-  result, shown: new Set(result.curves.filter((c) => c.points.some((i) => !result.points[i].trouble))),
-  measure: all.find((m) => m.chosen) ?? all[0], cost: costs.min, logError: true, logCost: true, onlyShown: false,
-  order: { heading: "fastest", down: false }, front: [],
+  result,
+  shown: new Set(result.curves.filter((c) => c.points.some((i) => !result.points[i].trouble))),
+  measure: all.find((m) => m.chosen) ?? all[0],
+  cost: costs.min,
+  logError: true,
+  logCost: true,
+  onlyShown: false,
+  order: { heading: "fastest", down: false },
+  front: [],
 };
+const standard = standing(result, state.measure, state.cost);
 
 function controls(parent, draw) {
   const bar = make(parent, "div", { className: "controls" });
-  const groups = Map.groupBy ? Map.groupBy(all, (m) => m.group) : all.reduce((map, m) => map.set(m.group, [...(map.get(m.group) ?? []), m]), new Map());
-  select(bar, "Error", [...groups].map(([group, members]) => [group, members.map((m) => [m.key, `${group in { position: 1, velocity: 1, orientation: 1, spin: 1 } ? `${group}, ` : ""}${m.option}`])]),
-         state.measure.key, (key) => draw({ measure: all.find((m) => m.key === key) }));
-  select(bar, "Cost", [["", Object.entries(costs).map(([key, c]) => [key, c.name])]], "min", (key) => draw({ cost: costs[key] }));
+  const groups = Map.groupBy
+    ? Map.groupBy(all, (m) => m.group)
+    : all.reduce((map, m) => map.set(m.group, [...(map.get(m.group) ?? []), m]), new Map());
+  select(
+    bar,
+    "Error",
+    [...groups].map(([group, members]) => [
+      group,
+      members.map((m) => [
+        m.key,
+        `${group in { position: 1, velocity: 1, orientation: 1, spin: 1 } ? `${group}, ` : ""}${m.option}`,
+      ]),
+    ]),
+    state.measure.key,
+    (key) => draw({ measure: all.find((m) => m.key === key) }),
+  );
+  select(bar, "Cost", [["", Object.entries(costs).map(([key, c]) => [key, c.name])]], "min", (key) =>
+    draw({ cost: costs[key] }),
+  );
   checkbox(bar, "log error", true, (logError) => draw({ logError }));
   checkbox(bar, "log cost", true, (logCost) => draw({ logCost }));
+}
+
+/// Now, and when its width has changed.
+function whenResized(element, draw) {
+  let width = 0;
+  const look = () => {
+    if (Math.abs(element.clientWidth - width) < 2) return;
+    width = element.clientWidth;
+    draw();
+  };
+  look();
+  new ResizeObserver(() => requestAnimationFrame(look)).observe(element);
 }
 
 /// Brings out one curve; null: none.
@@ -116,11 +163,18 @@ function workPrecision() {
 
   const drawTable = () => {
     const place = points.querySelector(".scroll");
-    place.replaceChildren(table({ ...state, onPoint: (p) => light(holder, p && result.curves[p.curve]) }, state.order, drawTable));
+    place.replaceChildren(
+      table({ ...state, onPoint: (p) => light(holder, p && result.curves[p.curve]) }, state.order, drawTable),
+    );
   };
   const render = () => {
-    const colour = colourOf(result.curves, state.shown, standard);
-    const drawn = chart({ ...state, colour, width: Math.max(320, holder.clientWidth), onPoint: (p) => light(holder, p && result.curves[p.curve]) });
+    const colour = colourOf(result.curves, state.shown, standing(result, state.measure, state.cost, standard));
+    const drawn = chart({
+      ...state,
+      colour,
+      width: Math.max(320, holder.clientWidth),
+      onPoint: (p) => light(holder, p && result.curves[p.curve]),
+    });
     holder.replaceChildren(drawn.figure);
     state.front = drawn.front;
     costName.textContent = state.cost.name;
@@ -132,14 +186,14 @@ function workPrecision() {
   };
   redrawLegend = legend(side, state, { draw, light: (curve) => light(holder, curve) });
   make(points, "h2", {}, "All points");
-  checkbox(points, "only of the curves shown above", false, (onlyShown) => ((state.onlyShown = onlyShown), drawTable()));
+  checkbox(
+    points,
+    "only of the curves shown above",
+    false,
+    (onlyShown) => ((state.onlyShown = onlyShown), drawTable()),
+  );
   make(points, "div", { className: "scroll" });
-  let width = 0;
-  new ResizeObserver(() => {
-    if (Math.abs(holder.clientWidth - width) < 2) return;
-    width = holder.clientWidth;
-    render();
-  }).observe(holder);
+  whenResized(holder, render);
   return points;
 }
 
@@ -156,27 +210,30 @@ function paths() {
   let body = "all";
   const chosen = () => (body === "all" ? result.paths : result.paths.filter((p) => String(p.body) === body));
   let projection = bestProjection(result.paths);
-  const render = () => holder.replaceChildren(pathFigure(chosen(), shown, colours, projection, Math.max(320, holder.clientWidth)));
+  const render = () =>
+    holder.replaceChildren(pathFigure(chosen(), shown, colours, projection, Math.max(320, holder.clientWidth)));
   select(bar, "View", [["", projections.map((p) => [p.key, p.name])]], projection.key, (key) => {
     projection = projections.find((p) => p.key === key);
     render();
   });
   if (bodies.length > 1) {
-    select(bar, "Body", [["", [["all", "all"], ...bodies.map((b) => [String(b), String(b)])]]], body, (b) => ((body = b), render()));
+    select(
+      bar,
+      "Body",
+      [["", [["all", "all"], ...bodies.map((b) => [String(b), String(b)])]]],
+      body,
+      (b) => ((body = b), render()),
+    );
   }
   for (const label of labels) {
     const field = make(bar, "label", { className: "check" });
     const input = make(field, "input", { type: "checkbox", checked: true });
-    make(field, "i", { className: label.startsWith("reference") ? "stroke thin" : "stroke" }).style.background = colours.get(label) ?? grey;
+    make(field, "i", { className: label.startsWith("reference") ? "stroke thin" : "stroke" }).style.background =
+      colours.get(label) ?? grey;
     field.append(label);
     input.onchange = () => (shown[input.checked ? "add" : "delete"](label), render());
   }
-  let width = 0;
-  new ResizeObserver(() => {
-    if (Math.abs(holder.clientWidth - width) < 2) return;
-    width = holder.clientWidth;
-    render();
-  }).observe(holder);
+  whenResized(holder, render);
 }
 
 head();

@@ -11,7 +11,6 @@ function columns(result, measure, front) {
     ["tolerance", (p) => p.tolerance, number],
     ["contact", (p) => contactText(p.contact)],
     [`error${measure.unit ? ` [${measure.unit}]` : ""}`, (p) => measure.of(p), number],
-    ["", (p) => (p.trouble ? p.trouble : front.has(p) ? "front" : claimed(p, measure) ? "" : "not claimed")],
     ["fastest", (p) => p.seconds?.min, seconds],
     ["median", (p) => p.seconds?.median, seconds],
     ["slowest", (p) => p.seconds?.max, seconds],
@@ -19,13 +18,16 @@ function columns(result, measure, front) {
     ["rejected", (p) => p.rejected_steps, count],
     ["evaluations", (p) => p.force_evaluations, count],
     ["state", (p) => p.state_hash],
+    ["note", (p) => (p.trouble ? p.trouble : front.has(p) ? "on the front" : claimed(p, measure) ? "" : "not claimed")],
   ].map(([heading, of, text]) => ({ heading, of, text, numeric: Boolean(text) }));
-  return list.filter(({ of }) => result.points.some((p) => of(p) !== null && of(p) !== undefined && of(p) !== "" && of(p) !== 0));
+  return list.filter(({ of }) =>
+    result.points.some((p) => of(p) !== null && of(p) !== undefined && of(p) !== "" && of(p) !== 0),
+  );
 }
 
 function compare(a, b) {
   const [none, other] = [a === null || a === undefined || a === "", b === null || b === undefined || b === ""];
-  if (none || other) return none - other;  // what is missing comes last
+  if (none || other) return none - other; // what is missing comes last
   return typeof a === "number" ? a - b : String(a).localeCompare(String(b));
 }
 
@@ -46,7 +48,7 @@ export function table(view, order, again) {
   for (const column of list) {
     const cell = head.appendChild(document.createElement("th"));
     const button = cell.appendChild(document.createElement("button"));
-    button.textContent = column.heading || "note";
+    button.textContent = column.heading;
     cell.className = column.numeric ? "numeric" : "";
     cell.scope = "col";
     if (column === by) cell.setAttribute("aria-sort", order.down ? "descending" : "ascending");

@@ -1,0 +1,135 @@
+// Which curves a sweep tries.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ballpark/catalogue.h"
+#include "perf/cost/sweep.h"
+
+namespace ballpark::cost {
+
+namespace {
+
+/// Those that serve most scenes first: where time is short the last ones are left out.
+constexpr const char* ranking[] = {"rk4",
+                                   "velocity_verlet",
+                                   "dormand_prince8",
+                                   "dormand_prince5",
+                                   "semi_implicit_euler",
+                                   "euler",
+                                   "midpoint",
+                                   "pefrl",
+                                   "yoshida6",
+                                   "ab4",
+                                   "tsitouras5",
+                                   "yoshida4",
+                                   "abm4",
+                                   "bogacki_shampine3"};
+
+/// 1, 2, 5, 10, ... times `least`, while the step is not too small for time to move.
+std::vector<double> steps_of(double duration, std::size_t least) {
+  std::vector<double> steps;
+  constexpr double most = 1e9;
+  for (double power = static_cast<double>(least); power < most; power *= 10) {
+    for (const double factor : {1.0, 2.0, 5.0}) steps.push_back(duration / (power * factor));
+  }
+  return steps;
+}
+
+std::vector<double> tolerances_of(Precision precision) {
+  std::vector<double> list;
+  const int last = precision == Precision::single_ ? 6 : 14;
+  for (int exponent = 2; exponent <= last; ++exponent) list.push_back(std::pow(10.0, -exponent));
+  return list;
+}
+
+const IntegratorDescription& description(const std::string& name) {
+  return *std::find_if(integrators().begin(), integrators().end(), [&](auto& row) { return row.name == name; });
+}
+
+std::string label_of(const Setting& setting, bool adaptive, bool pair) {
+  std::string label = setting.integrator;
+  if (pair) label += adaptive ? ", adaptive" : ", fixed step";
+  if (setting.precision == Precision::single_) label += ", single";
+  if (setting.precision == Precision::extended) label += ", extended";
+  if (setting.iterations > 0) label += fmt::format(", {} x {}", setting.iterations, setting.substeps);
+  return label;
+}
+
+/// Single precision tells by a few integrators what it gives: rounding is the same for all.
+constexpr std::size_t enough_in_single = 6;
+
+/// Iterations and substeps: the scene's, and more and fewer of either.
+std::vector<std::pair<int, int>> contacts_of(const Scene& scene, const Axes& axes) {
+  if (scene.contact.kind != "impulse") return {{0, 0}};
+  if (!axes.contacts.empty()) return axes.contacts;
+  const int n = scene.contact.iterations, s = scene.contact.substeps;
+  return {{n, s}, {std::max(1, n / 3), s}, {3 * n, s}, {n, 2 * s}, {n, 4 * s}};
+}
+
+/// Impulse contacts are of first order whatever moves the bodies between them: a few integrators tell all.
+constexpr const char* enough_for_contacts[] = {"semi_implicit_euler", "velocity_verlet", "rk4", "euler"};
+
+}  // namespace
+
+std::vector<std::string> ranked_integrators(const Scene& scene) {
+  std::vector<std::string> names{scene.run.integrator};
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  if (scene.contact.kind == "impulse") {
+    for (const char* name : enough_for_contacts) add(name);
+    return names;
+  }
+  for (const char* name : ranking) add(name);
+  for (const IntegratorDescription& row : integrators()) add(row.name);
+  return names;
+}
+
+std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::size_t sample_count,
+                                  std::vector<std::string>& refused) {
+  std::vector<Candidate> list;
+  const auto names = axes.integrators.empty() ? ranked_integrators(scene) : axes.integrators;
+  const auto precisions =
+      axes.precisions.empty() ? std::vector{Precision::double_, Precision::single_} : axes.precisions;
+  const auto contacts = contacts_of(scene, axes);
+  std::map<std::string, std::string> reasons;  // and whom they refuse
+  const auto add = [&](Setting setting, bool adaptive) {
+    const IntegratorDescription& row = description(setting.integrator);
+    Candidate candidate;
+    candidate.curve = {
+        label_of(setting, adaptive, row.adaptive), row.name, row.family, row.order, setting.precision, {}};
+    const auto chosen = adaptive ? axes.tolerances : axes.steps;
+    for (const double pace : !chosen.empty() ? chosen
+                             : adaptive      ? tolerances_of(setting.precision)
+                                             : steps_of(scene.run.duration, sample_count)) {
+      (adaptive ? setting.tolerance : setting.step) = pace;
+      candidate.settings.push_back(setting);
+    }
+    const std::vector<Problem> problems = check(scene_with(scene, candidate.settings.front()));
+    std::erase_if(candidate.settings, [&](const Setting& each) { return !check(scene_with(scene, each)).empty(); });
+    if (!candidate.settings.empty()) return list.push_back(std::move(candidate));
+    const std::string why = problems.front().message;
+    if (setting.precision != precisions.front() || setting.iterations != contacts.front().first) return;
+    if (setting.substeps != contacts.front().second) return;
+    std::string& names_so_far = reasons[why.starts_with(row.name) ? why.substr(row.name.size() + 1) : why];
+    names_so_far += (names_so_far.empty() ? "" : ", ") + candidate.curve.label;
+  };
+  for (const Precision precision : precisions) {
+    const bool chosen = !axes.integrators.empty() || !axes.precisions.empty() || precision == Precision::double_;
+    for (const auto& [iterations, substeps] : contacts) {
+      for (std::size_t i = 0; i < (chosen ? names.size() : std::min(names.size(), enough_in_single)); ++i) {
+        const std::string& name = names[i];
+        const Setting setting{name, 0, 0, precision, iterations, substeps};
+        if (axes.tolerances.empty() || !axes.steps.empty()) add(setting, false);
+        if (description(name).adaptive && (axes.steps.empty() || !axes.tolerances.empty())) add(setting, true);
+      }
+    }
+  }
+  for (const auto& [why, whom] : reasons) refused.push_back(whom + ": " + why);
+  return list;
+}
+
+}  // namespace ballpark::cost

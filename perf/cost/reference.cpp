@@ -1,0 +1,196 @@
+#include "perf/cost/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "perf/cost/exact.h"
+
+namespace ballpark::cost {
+
+namespace {
+
+using Bars = std::array<double, quantity_count>;
+constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;  // states are kept in double
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+template <class R>
+BodyState state_of(const ExactState<R>& exact, const BodyState& like) {
+  const auto d = [](R value) { return static_cast<double>(value); };
+  const auto vector_of = [&](const std::array<R, 3>& v) { return Vector3d(d(v[0]), d(v[1]), d(v[2])); };
+  BodyState state = like;
+  state.position = vector_of(exact.position);
+  state.velocity = vector_of(exact.velocity);
+  state.angular_velocity = vector_of(exact.angular_velocity);
+  const auto& q = exact.orientation;
+  state.orientation = {d(q[0]), d(q[1]), d(q[2]), d(q[3])};
+  return state;
+}
+
+/// Largest distances of two tracks.
+Bars apart(const Track& a, const Track& b) {
+  const Errors errors = errors_of(a, b, {});
+  Bars bars{};
+  for (std::size_t q = 0; q < quantity_count; ++q) bars[q] = errors.of[q].maximum;
+  return bars;
+}
+
+bool acts_on(const Effect& effect, const std::string& group) {
+  return effect.groups.empty() || std::find(effect.groups.begin(), effect.groups.end(), group) != effect.groups.end();
+}
+
+/// One for all bodies or one for each.
+template <class List>
+const auto& row_of(const List& list, std::size_t index) {
+  return list.size() == 1 ? list.front() : list[index];
+}
+
+/// The body of that id, with all that acts on it.
+LoneBody lone_body(const Scene& scene, const World& world, std::size_t id) {
+  const std::vector<GroupReport> counts = world.explain().groups;
+  std::size_t index = id;
+  for (const BodyGroup& group : scene.bodies) {
+    const auto report = std::find_if(counts.begin(), counts.end(), [&](auto& g) { return g.name == group.name; });
+    if (index >= report->bodies) {
+      index -= report->bodies;
+      continue;
+    }
+    LoneBody body{.group = group, .index = index, .effects = {}, .start = world.body(id), .mass = 0, .inertia = {}};
+    for (const Effect& effect : scene.effects) {
+      if (acts_on(effect, group.name)) body.effects.push_back(&effect);
+    }
+    const double radius = group.radius.empty() ? 0 : row_of(group.radius, index);
+    const double ball = 4 * 3.14159265358979323846 / 3 * radius * radius * radius;
+    body.mass = group.mass.empty() ? row_of(group.density, index) * ball : row_of(group.mass, index);
+    if (!group.inertia.empty()) {
+      body.inertia = row_of(group.inertia, index);
+    } else if (radius > 0) {
+      body.inertia = Vector3d::Constant(0.4 * body.mass * radius * radius);
+    }
+    return body;
+  }
+  return LoneBody{.group = scene.bodies.front(), .index = 0, .effects = {}, .start = {}, .mass = 0, .inertia = {}};
+}
+
+/// A run that is to be looked at: nullopt if it can't be built, was stopped, or ended badly.
+std::optional<Track> tracked(const Scene& scene, const Setting& setting, const Samples& samples, const Options& options,
+                             const GoOn& go_on) {
+  if (!check(scene_with(scene, setting)).empty()) return std::nullopt;
+  Subject subject(scene, setting, options);
+  Track track(samples);
+  if (!subject.follow(samples, track, go_on) || !subject.trouble().empty() || !track.known.back()) return std::nullopt;
+  return track;
+}
+
+constexpr const char* extrapolation = "gragg_bulirsch_stoer10";
+constexpr double loose = 1e-16, tight = 1e-18;
+
+std::optional<ReferenceTrack> by_extrapolation(Scene scene, const Samples& samples, const Options& options,
+                                               const GoOn& go_on) {
+  scene.run.compensated = false;
+  scene.run.absolute_tolerance = 0;
+  const Setting coarse{extrapolation, 0, loose, Precision::extended},
+      fine{extrapolation, 0, tight, Precision::extended};
+  const std::optional<Track> first = tracked(scene, coarse, samples, options, go_on);
+  if (!first) return std::nullopt;
+  std::optional<Track> second = tracked(scene, fine, samples, options, go_on);
+  if (!second) return std::nullopt;
+  ReferenceTrack reference{
+      {"extrapolation in extended precision", fmt::format("{}, tolerances {:g} and {:g}", extrapolation, loose, tight),
+       apart(*first, *second), scale_of(*second)},
+      std::move(*second)};
+  for (std::size_t q = 0; q < quantity_count; ++q) {
+    reference.about.error_bar[q] += half_ulp * reference.about.scale[q];
+  }
+  return reference;
+}
+
+/// What the two finest runs use: contacts ask for more iterations.
+Setting finest_setting(const Scene& scene) {
+  Setting setting = setting_of(scene);
+  setting.tolerance = 0;
+  setting.precision = Precision::double_;
+  setting.iterations *= 4;
+  for (const char* accurate : {"dormand_prince8", "rk4"}) {
+    setting.step = scene.run.duration / 100;
+    const std::string own = std::exchange(setting.integrator, accurate);
+    if (scene.contact.kind != "impulse" && check(scene_with(scene, setting)).empty()) break;
+    setting.integrator = own;
+  }
+  return setting;
+}
+
+}  // namespace
+
+std::optional<ReferenceTrack> closed_form(const Scene& scene, const Samples& samples, const Options& options) {
+  if (!scene.contact.kind.empty() || !scene.boundaries.empty() || !scene.impulses.empty()) return std::nullopt;
+  Scene start = scene;
+  start.run.precision = Precision::double_;
+  Options plain = options;
+  plain.precision.reset();
+  const World world(start, plain);
+  ReferenceTrack reference{{"closed form", "", {}, {}}, Track(samples)};
+  Track rounded(samples);
+  for (std::size_t b = 0; b < samples.ids.size(); ++b) {
+    const LoneBody body = lone_body(scene, world, samples.ids[b]);
+    const std::optional<ExactMotion> motion = exact_motion(body);
+    if (!motion) return std::nullopt;
+    if (reference.about.what.find(motion->what) == std::string::npos) {
+      reference.about.what += (reference.about.what.empty() ? "" : "; ") + motion->what;
+    }
+    for (std::size_t k = 0; k < samples.times.size(); ++k) {
+      const std::size_t place = k * samples.ids.size() + b;
+      reference.track.states[place] = state_of(motion->in_extended(samples.times[k]), body.start);
+      rounded.states[place] = state_of(motion->in_double(samples.times[k]), body.start);
+      reference.track.known[k] = rounded.known[k] = 1;
+    }
+  }
+  constexpr double ulps = std::numeric_limits<long double>::epsilon() / std::numeric_limits<double>::epsilon();
+  reference.about.scale = scale_of(reference.track);
+  reference.about.error_bar = apart(reference.track, rounded);
+  for (std::size_t q = 0; q < quantity_count; ++q) {
+    double& bar = reference.about.error_bar[q];
+    bar = 2 * static_cast<double>(ulps) * bar + half_ulp * reference.about.scale[q];
+  }
+  return reference;
+}
+
+/// Steps halved while there is time; the last run is the reference, and how far it is from the one before its bar.
+std::optional<ReferenceTrack> finest_runs(const Scene& scene, const Samples& samples, const Options& options,
+                                          double seconds, const GoOn& go_on) {
+  Setting setting = finest_setting(scene);
+  std::optional<Track> before, last;
+  double taken = 0;
+  std::uint64_t steps = samples.times.size();
+  for (; steps <= 20'000'000 && taken * 2.2 < seconds; steps *= 2) {
+    const double begin = seconds_now();
+    setting.step = scene.run.duration / static_cast<double>(steps);
+    std::optional<Track> track = tracked(scene, setting, samples, options, go_on);
+    if (!go_on()) return std::nullopt;
+    taken = std::max(seconds_now() - begin, 2 * taken);
+    seconds -= seconds_now() - begin;
+    before = std::exchange(last, std::move(track));
+    if (before && last && apart(*before, *last)[0] < 4 * half_ulp * scale_of(*last)[0]) break;
+  }
+  if (!last || !before) return std::nullopt;
+  ReferenceTrack reference{
+      {"two finest runs", text(setting) + " and twice that", apart(*before, *last), scale_of(*last)}, std::move(*last)};
+  return reference;
+}
+
+std::optional<ReferenceTrack> numerical_reference(const Scene& scene, const Samples& samples, const Options& options,
+                                                  double seconds, const GoOn& go_on) {
+  const double end = seconds_now() + seconds;
+  const GoOn in_time = [&] { return go_on() && seconds_now() < end; };
+  if (auto reference = by_extrapolation(scene, samples, options, in_time)) return reference;
+  return go_on() ? finest_runs(scene, samples, options, seconds, go_on) : std::nullopt;
+}
+
+}  // namespace ballpark::cost

@@ -1,0 +1,103 @@
+#include "perf/cost/subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace ballpark::cost {
+
+namespace {
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Options options_for(Options options, const Setting& setting) {
+  options.precision = setting.precision;
+  return options;
+}
+
+/// Steps or times between two questions whether to go on.
+constexpr std::uint64_t steps_at_once = 20000;
+
+}  // namespace
+
+Scene scene_with(const Scene& scene, const Setting& setting) {
+  Scene changed = scene;
+  changed.run.integrator = setting.integrator;
+  changed.run.step = setting.step;
+  changed.run.tolerance = setting.tolerance;
+  if (setting.tolerance == 0) changed.run.absolute_tolerance = 0;
+  changed.run.precision = setting.precision;
+  if (setting.substeps > 0) changed.contact.substeps = setting.substeps;
+  if (setting.iterations > 0) changed.contact.iterations = setting.iterations;
+  return changed;
+}
+
+Setting setting_of(const Scene& scene) {
+  Setting own{scene.run.integrator, scene.run.step, scene.run.tolerance, scene.run.precision};
+  if (scene.contact.kind == "impulse") {
+    own.iterations = scene.contact.iterations;
+    own.substeps = scene.contact.substeps;
+  }
+  return own;
+}
+
+std::string text(const Setting& setting) {
+  std::string words = setting.integrator;
+  words += setting.tolerance > 0 ? fmt::format(", tolerance {:.6g}", setting.tolerance)
+                                 : fmt::format(", step {:.6g} s", setting.step);
+  if (setting.precision == Precision::single_) words += ", single";
+  if (setting.precision == Precision::extended) words += ", extended";
+  if (setting.iterations > 0) words += fmt::format(", {} iterations x {}", setting.iterations, setting.substeps);
+  return words;
+}
+
+std::uint64_t steps_in(double duration, double step) {
+  if (!(step > 0)) return 0;
+  const double exact = duration / step, whole = std::round(exact);
+  return whole >= 1 && std::abs(exact - whole) <= 1e-9 * whole ? static_cast<std::uint64_t>(whole) : 0;
+}
+
+Subject::Subject(const Scene& scene, const Setting& setting, const Options& options)
+    : scene_(scene_with(scene, setting)),
+      world_(scene_, options_for(options, setting)),
+      begin_(world_.snapshot()),
+      totals_(world_.totals()),
+      steps_(steps_in(scene.run.duration, setting.step)) {}
+
+double Subject::run() {
+  world_.restore(begin_);
+  const double before = seconds_now();
+  steps_ > 0 ? world_.step(steps_) : world_.advance_to(scene_.run.duration);
+  return seconds_now() - before;
+}
+
+bool Subject::follow(const Samples& samples, Track& track, const GoOn& go_on) {
+  world_.restore(begin_);
+  for (std::size_t k = 0; k < samples.times.size(); ++k) {
+    const double t = samples.times[k];
+    const std::uint64_t share = steps_ * (k + 1);
+    if (steps_ > 0 && share % samples.times.size() != 0) continue;  // between two steps
+    const std::uint64_t goal = share / samples.times.size();
+    while (steps_ > 0 ? world_.steps() < goal : world_.time() < t) {
+      const double before = world_.time();
+      steps_ > 0 ? world_.step(std::min(steps_at_once, goal - world_.steps())) : world_.advance_to(t, steps_at_once);
+      if (!go_on()) return false;
+      if (world_.time() == before) return true;  // no step is small enough
+    }
+    track.look(world_, samples, k);
+  }
+  return true;
+}
+
+std::string Subject::trouble() const {
+  const Status& status = world_.status();
+  const auto& accepted = scene_.run.accept;
+  const bool known = std::find(accepted.begin(), accepted.end(), name(status.code)) != accepted.end();
+  return status.code == Status::Code::ok || known ? "" : status.sentence;
+}
+
+}  // namespace ballpark::cost

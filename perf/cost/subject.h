@@ -1,0 +1,49 @@
+// One setting as a world that can be run again and again from its start.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "ballpark/options.h"
+#include "ballpark/world.h"
+#include "perf/cost/track.h"
+
+namespace ballpark::cost {
+
+/// The scene under a setting.
+Scene scene_with(const Scene& scene, const Setting& setting);
+/// The scene's own.
+Setting setting_of(const Scene& scene);
+/// "rk4, step 0.001 s", "dormand_prince5, tolerance 1e-08, single"
+std::string text(const Setting& setting);
+/// Whole steps of the setting in the duration; 0: it has none, or they do not fill it.
+std::uint64_t steps_in(double duration, double step);
+
+/// Asked now and then; false: stop.
+using GoOn = std::function<bool()>;
+
+class Subject {
+ public:
+  /// Throws SceneError.
+  Subject(const Scene& scene, const Setting& setting, const Options& options);
+
+  /// The whole run as `ballpark run` does it, from the start: wall seconds of stepping alone.
+  double run();
+  /// The same run, looked at on the way; with a tolerance it lands on the times, which are steps that `run` may not
+  /// take. False if it was stopped.
+  bool follow(const Samples& samples, Track& track, const GoOn& go_on);
+  const World& world() const { return world_; }
+  const Totals& start() const { return totals_; }
+  /// Why its result does not count, "" if it does.
+  std::string trouble() const;
+
+ private:
+  Scene scene_;
+  World world_;
+  Snapshot begin_;
+  Totals totals_;
+  std::uint64_t steps_;
+};
+
+}  // namespace ballpark::cost

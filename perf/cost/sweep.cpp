@@ -1,0 +1,147 @@
+#include "perf/cost/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ballpark::cost {
+
+namespace {
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// A curve that gained less than this over two points has met its rounding.
+constexpr double gain = 0.8;
+/// Points that gain nothing are kept: one shows where rounding begins.
+constexpr int idle_points = 1;
+/// Curves that a sentence names.
+constexpr std::size_t most_named = 5;
+
+class Walk {
+ public:
+  Walk(const Ground& ground, Result& result, const GoOn& go_on) : ground_(ground), result_(result), go_on_(go_on) {}
+
+  /// From coarse to fine within so many seconds of run time. False: stopped.
+  bool along(const Candidate& candidate, double seconds) {
+    Curve curve = candidate.curve;
+    double best = std::numeric_limits<double>::infinity(), last = 0, before = 0;
+    int idle = 0;
+    spent_ = 0;
+    why_it_ended_.clear();
+    for (const Setting& setting : candidate.settings) {
+      const double growth = before > 0 ? std::clamp(last / before, 1.1, 4.0) : 2.5;
+      if (spent_ + last * growth > seconds) {
+        why_it_ended_ = fmt::format("{} of {}", pace(candidate.settings, &setting), curve.label);
+        break;
+      }
+      const double deadline = seconds_now() + 4 * seconds + 0.5;
+      Point point = measured_point(ground_, setting, [&] { return go_on_() && seconds_now() < deadline; });
+      if (!go_on_()) return false;
+      before = std::exchange(last, point.seconds.minimum);
+      spent_ += last;
+      point.curve = result_.curves.size();
+      const bool counts = point.trouble.empty();
+      const double error = point.error;
+      curve.points.push_back(result_.points.size());
+      result_.points.push_back(std::move(point));
+      if (!counts && last == 0) break;  // finer ones take longer still
+      if (counts && error < ground_.about.floor) break;
+      if (counts) idle = error < gain * best ? 0 : idle + 1;
+      if (counts) best = std::min(best, error);
+      if (best < small_ && idle > idle_points) break;
+    }
+    result_.curves.push_back(std::move(curve));
+    return true;
+  }
+
+  double spent() const { return spent_; }
+  const std::string& why_it_ended() const { return why_it_ended_; }
+
+ private:
+  static std::string pace(const std::vector<Setting>& settings, const Setting* next) {
+    if (next == settings.data()) return "nothing";
+    const Setting& finest = *(next - 1);
+    return finest.tolerance > 0 ? fmt::format("{:.3g}", finest.tolerance) : fmt::format("{:.3g} s", finest.step);
+  }
+
+  const Ground& ground_;
+  Result& result_;
+  const GoOn& go_on_;
+  /// Errors larger than this are no rounding, though they may not fall yet.
+  const double small_ = 1e-3 * ground_.reference.about.scale[static_cast<std::size_t>(ground_.measure.quantity)];
+  double spent_ = 0;
+  std::string why_it_ended_;
+};
+
+}  // namespace
+
+Point measured_point(const Ground& ground, const Setting& setting, const GoOn& go_on) {
+  Point point;
+  point.setting = setting;
+  Subject subject(ground.scene, setting, ground.options);
+  Track track(ground.samples);
+  if (!subject.follow(ground.samples, track, go_on)) {
+    point.trouble = "takes too long";
+    return point;
+  }
+  point.trouble = subject.trouble();
+  point.errors = errors_of(track, ground.reference.track, subject.start());
+  point.seconds = {subject.run(), 0, 0, 1};
+  const Counters counters = subject.world().counters();
+  point.steps = counters.steps;
+  point.rejected_steps = counters.rejected_steps;
+  point.force_evaluations = counters.force_evaluations;
+  point.state_hash = fmt::format("{:016x}", subject.world().state_hash());
+  Track end(ground.samples);  // that of the run that is timed
+  end.look(subject.world(), ground.samples, ground.samples.times.size() - 1);
+  const Errors straight = errors_of(end, ground.reference.track, subject.start());
+  for (std::size_t q = 0; q < quantity_count; ++q) {
+    point.errors.of[q].end = straight.of[q].end;
+    point.errors.of[q].maximum = std::max(point.errors.of[q].maximum, straight.of[q].end);
+  }
+  point.error = ground.error_of(point.errors);
+  point.claimed = point.error >= ground.about.floor;
+  if (point.trouble.empty() && !std::isfinite(point.error)) point.trouble = "its error is not finite";
+  return point;
+}
+
+bool sweep(const Ground& ground, const std::vector<Candidate>& list, const SweepTime& time, Result& result,
+           const std::function<bool(double)>& go_on) {
+  double fraction = 0;
+  const GoOn asked = [&] { return go_on(fraction); };
+  Walk walk(ground, result, asked);
+  const double end = seconds_now() + time.seconds;
+  // Each run is checked twice and timed `rounds` times.
+  const double runs = time.rounds + 3;
+  double left = time.seconds / runs;
+  std::size_t skipped = 0;
+  std::string ended;
+  std::size_t unfinished = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    fraction = static_cast<double>(i) / static_cast<double>(list.size());
+    const double share = 2 * left / static_cast<double>(list.size() - i + 1);
+    if (seconds_now() > end || left <= 0) {
+      ++skipped;
+      continue;
+    }
+    if (!walk.along(list[i], share)) return false;
+    left -= walk.spent();
+    if (!walk.why_it_ended().empty() && ++unfinished <= most_named) {
+      ended += (ended.empty() ? "" : ", ") + walk.why_it_ended();
+    }
+  }
+  if (unfinished > most_named) ended += fmt::format(" and {} more", unfinished - most_named);
+  if (unfinished > 0) {
+    result.left_out.push_back("finer steps and tolerances, for want of time (more: --seconds): below " + ended);
+  }
+  if (skipped > 0) result.left_out.push_back(fmt::format("{} more curves: there was no time for them", skipped));
+  return true;
+}
+
+}  // namespace ballpark::cost

@@ -1,0 +1,149 @@
+#include "scenarios/command/cost_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "ballpark/catalogue.h"
+#include "scenarios/command/errors.h"
+#include "scenarios/command/scene_options.h"
+#include "scenarios/command/text.h"
+
+namespace ballpark::command {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t at; (at = text.find(separator, begin)) != std::string::npos; begin = at + 1) {
+    parts.push_back(text.substr(begin, at - begin));
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+/// What a list on the command line may hold.
+std::vector<std::string> words_of(const std::string& option, const std::string& text, const char* what,
+                                  const std::vector<std::string>& names) {
+  std::vector<std::string> words;
+  for (const std::string& word : split(text, ',')) {
+    if (std::find(names.begin(), names.end(), word) == names.end()) {
+      throw UsageError(option + ": " + no_such(what, word, names));
+    }
+    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+  }
+  return words;
+}
+
+/// From coarse to fine.
+std::vector<double> numbers_of(const std::string& option, const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& word : split(text, ',')) numbers.push_back(real_number(option, word, false));
+  std::sort(numbers.begin(), numbers.end(), std::greater<>());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+/// "12x1,12x4": iterations x substeps.
+std::vector<std::pair<int, int>> contacts_of(const std::string& text) {
+  std::vector<std::pair<int, int>> list;
+  for (const std::string& word : split(text, ',')) {
+    const std::vector<std::string> parts = split(word, 'x');
+    if (parts.size() != 2) {
+      throw UsageError(fmt::format("--contacts: '{}' is not iterations x substeps, for example 12x4", word));
+    }
+    list.emplace_back(static_cast<int>(whole_number("--contacts", parts[0], 1, 10000)),
+                      static_cast<int>(whole_number("--contacts", parts[1], 1, 10000)));
+  }
+  return list;
+}
+
+/// Steps that do not fill the duration have no end to compare.
+void check_steps(const std::vector<double>& steps, double duration) {
+  for (const double step : steps) {
+    if (cost::steps_in(duration, step) > 0) continue;
+    throw UsageError(fmt::format("--steps: {} s does not divide run.duration = {} s into whole steps", step, duration));
+  }
+}
+
+std::vector<std::string> integrator_names() {
+  std::vector<std::string> names;
+  for (const IntegratorDescription& row : integrators()) names.push_back(row.name);
+  return names;
+}
+
+cost::Axes axes_of(const Arguments& arguments, const Scene& scene) {
+  cost::Axes axes;
+  if (arguments.integrators) {
+    axes.integrators = words_of("--integrators", *arguments.integrators, "integrator", integrator_names());
+  }
+  if (arguments.axis_steps) axes.steps = numbers_of("--steps", *arguments.axis_steps);
+  check_steps(axes.steps, scene.run.duration);
+  if (arguments.tolerances) axes.tolerances = numbers_of("--tolerances", *arguments.tolerances);
+  if (arguments.precisions) {
+    for (const std::string& word :
+         words_of("--precisions", *arguments.precisions, "precision", {"single", "double", "extended"})) {
+      axes.precisions.push_back(word == "single"   ? Precision::single_
+                                : word == "double" ? Precision::double_
+                                                   : Precision::extended);
+    }
+  } else if (arguments.precision) {
+    throw UsageError("--precision: cost compares precisions; expected --precisions, for example --precisions double");
+  }
+  if (arguments.axis_contacts) {
+    if (scene.contact.kind != "impulse") throw UsageError("--contacts: this scene has no impulse contacts");
+    axes.contacts = contacts_of(*arguments.axis_contacts);
+  }
+  return axes;
+}
+
+/// "position", "orientation.end", "velocity.rms".
+cost::Measure measure_of(const std::string& text) {
+  const std::vector<std::string> parts = split(text, '.');
+  std::vector<std::string> names;
+  for (std::size_t q = 0; q < cost::quantity_count; ++q) names.emplace_back(name(static_cast<cost::Quantity>(q)));
+  const auto place = std::find(names.begin(), names.end(), parts.front());
+  if (place == names.end()) throw UsageError("--error: " + no_such("quantity", parts.front(), names));
+  cost::Measure measure{static_cast<cost::Quantity>(place - names.begin()), "maximum"};
+  if (parts.size() == 1) return measure;
+  const std::vector<std::string> kinds{"maximum", "end", "rms"};
+  if (parts.size() > 2 || std::find(kinds.begin(), kinds.end(), parts[1]) == kinds.end()) {
+    throw UsageError("--error: " + no_such("kind", text.substr(parts.front().size() + 1), kinds));
+  }
+  measure.which = parts[1];
+  return measure;
+}
+
+/// "2ms", "500us", "1.5s", or seconds.
+double duration_of(const std::string& option, const std::string& text) {
+  constexpr std::pair<const char*, double> units[] = {{"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1}};
+  for (const auto& [unit, seconds] : units) {
+    if (!text.ends_with(unit)) continue;
+    return seconds * real_number(option, text.substr(0, text.size() - std::string(unit).size()), false);
+  }
+  return real_number(option, text, false);
+}
+
+}  // namespace
+
+cost::Request cost_request(const Arguments& arguments, const Scene& scene) {
+  cost::Request request;
+  request.options = run_options(arguments);
+  if (request.options.copies > 1) throw UsageError("--copies: cost measures one copy of the scene");
+  request.axes = axes_of(arguments, scene);
+  if (arguments.error) request.measure = measure_of(*arguments.error);
+  if (arguments.seconds) request.seconds = real_number("--seconds", *arguments.seconds, false);
+  if (arguments.tolerance) request.tolerance = real_number("--tolerance", *arguments.tolerance, false);
+  if (arguments.budget) request.budget = duration_of("--budget", *arguments.budget);
+  if (arguments.tolerance && arguments.budget) {
+    throw UsageError("--tolerance and --budget exclude each other: one asks for accuracy, the other for speed");
+  }
+  if (arguments.reference) {
+    request.reference =
+        words_of("--reference", *arguments.reference, "reference", {"best", "numerical", "runs"}).front();
+  }
+  return request;
+}
+
+}  // namespace ballpark::command

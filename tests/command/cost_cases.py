@@ -1,0 +1,144 @@
+"""`ballpark cost` and `ballpark order`: what they say, write and refuse. No time is judged."""
+
+import csv
+import json
+import math
+
+from command_test import CommandTest
+
+SWING = """
+name = "swing"
+doc = "a mass on a spring"
+[run]
+duration = 2.0
+step = 0.01  # s
+integrator = "rk4"
+[[bodies]]
+name = "mass"
+mass = 1.0
+position = [[1.0, 0.0, 0.0]]
+[[effects]]
+kind = "spring"
+stiffness = 25.0
+anchor = [0.0, 0.0, 0.0]
+"""
+FEW = ["--integrators", "euler,rk4,dormand_prince5", "--seconds", "1"]
+
+
+def exact(t):
+    return math.cos(5 * t)
+
+
+class Cost(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.swing = self.write("swing.toml", SWING)
+
+    def test_points_front_and_reference(self):
+        result = self.json("cost", self.swing, *FEW)
+        self.assertEqual(result["format"], "ballpark-cost-1")
+        self.assertEqual(result["reference"]["kind"], "closed form")
+        self.assertLess(result["reference"]["error_bar"]["position"], 1e-15)
+        self.assertIsNone(result["horizon"])
+        self.assertIsNone(result["recommended"])
+        self.assertEqual({point["integrator"] for point in result["points"]}, {"euler", "rk4", "dormand_prince5"})
+        self.assertEqual({point["precision"] for point in result["points"]}, {"single", "double"})
+        front = [point for point in result["points"] if point["pareto"]]
+        self.assertTrue(front)
+        for point in result["points"]:
+            self.assertEqual(set(point["seconds"]), {"min", "median", "max", "runs"})
+            self.assertTrue((point["step"] is None) != (point["tolerance"] is None))
+            if point["trouble"] is None:
+                for better in front:
+                    self.assertFalse(better["error"]["value"] > point["error"]["value"]
+                                     and better["seconds"]["min"] > point["seconds"]["min"])
+
+    def test_an_error_is_the_distance_from_the_closed_form(self):
+        result = self.json("cost", self.swing, "--integrators", "rk4", "--steps", "0.1,0.02", "--precisions", "double",
+                           "--seconds", "0.5", "--error", "position.end")
+        self.assertEqual([point["step"] for point in result["points"]], [0.1, 0.02])
+        for point in result["points"]:
+            end = self.json("run", self.swing, "--set", f"run.step={point['step']}", "--state", "end.csv")
+            self.assertEqual(end["state_hash"], point["state_hash"])
+            self.assertEqual(end["force_evaluations"], point["force_evaluations"])
+            error = abs(float(self.rows("end.csv")[0]["x"]) - exact(2.0))
+            self.assertAlmostEqual(point["error"]["value"] / error, 1, places=6)
+
+    def test_the_named_setting_keeps_the_tolerance_and_is_written_back(self):
+        result = self.json("cost", self.swing, *FEW, "--tolerance", "1e-5", "--write")
+        named = result["recommended"]
+        self.assertLessEqual(named["error"] * named["margin"], 1e-5)
+        self.assertLessEqual(named["confirmed_error"], 1e-5)
+        text = (self.folder / "swing.toml").read_text()
+        self.assertIn("  # s\n", text)
+        kept = [line for line in SWING.splitlines() if "step" not in line and "integrator" not in line]
+        self.assertEqual([line for line in kept if line not in text.splitlines()], [])
+        run = self.json("run", self.swing, "--state", "end.csv")
+        self.assertEqual(run["integrator"], named["integrator"])
+        self.assertLessEqual(abs(float(self.rows("end.csv")[0]["x"]) - exact(2.0)), 1e-5)
+
+    def test_what_no_setting_reaches_is_said(self):
+        text = self.call("cost", self.swing, "--integrators", "euler", "--seconds", "0.5", "--tolerance", "1e-9",
+                         expect=1).stderr
+        self.assertIn("no setting that was tried", text)
+
+    def test_a_budget_is_kept(self):
+        result = self.json("cost", self.swing, *FEW, "--budget", "20us")
+        named = result["recommended"]
+        self.assertLessEqual(result["points"][named["point"]]["seconds"]["median"], 20e-6 * 2.0)
+
+    def test_files(self):
+        self.call("cost", self.swing, *FEW, "--csv", "points.csv", "--svg", "figure.svg", "--html", "page.html",
+                  "--json", "result.json")
+        result = json.loads((self.folder / "result.json").read_text())
+        with open(self.folder / "points.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), len(result["points"]))
+        self.assertEqual([row["state_hash"] for row in rows], [point["state_hash"] for point in result["points"]])
+        self.assertTrue((self.folder / "figure.svg").read_text().startswith("<svg"))
+        page = (self.folder / "page.html").read_text()
+        self.assertIn("swing", page)
+        for outside in ('src="http', 'href="http', "url(http"):
+            self.assertNotIn(outside, page)
+
+    def test_text(self):
+        text = self.call("cost", self.swing, *FEW).stdout
+        for heading in ("Pareto front", "Time to an error [m]", "Price of a step"):
+            self.assertIn(heading, text)
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)
+        self.assertEqual(self.call("cost", self.swing, *FEW, "--quiet").stdout, "")
+
+    def test_refusals(self):
+        for words, says in [
+                (["--integrators", "velocity_verlett"], ["--integrators", "did you mean 'velocity_verlet'"]),
+                (["--steps", "0.3"], ["--steps", "does not divide run.duration"]),
+                (["--steps", "x"], ["--steps", "finite number"]),
+                (["--precisions", "doubel"], ["--precisions", "did you mean 'double'"]),
+                (["--precision", "double"], ["--precisions"]),
+                (["--contacts", "12x1"], ["--contacts", "no impulse contacts"]),
+                (["--error", "positoin"], ["--error", "did you mean 'position'"]),
+                (["--error", "position.mean"], ["--error", "maximum"]),
+                (["--reference", "closed"], ["--reference", "best"]),
+                (["--tolerance", "0"], ["--tolerance", "above 0"]),
+                (["--tolerance", "1", "--budget", "1"], ["exclude each other"]),
+                (["--budget", "2 weeks"], ["--budget"]),
+                (["--write"], ["--write needs --tolerance"]),
+                (["--copies", "2"], ["--copies"]),
+                (["--csv", "swing.toml"], ["would lose it"]),
+                (["--svg", "nowhere/a.svg"], ["no folder"]),
+                (["--write", "--tolerance", "1", "--set", "run.step=0.5"], ["--set"]),
+                (["--set", "run.duration=0"], ["duration"])]:
+            self.refused("cost", self.swing, *words, says=says)
+        self.assertEqual((self.folder / "swing.toml").read_text(), SWING)
+
+
+class Order(CommandTest):
+    def test_each_method_shows_its_order(self):
+        swing = self.write("swing.toml", SWING)
+        result = self.json("order", swing, "--integrators", "euler,velocity_verlet,rk4", "--seconds", "2")
+        self.assertEqual([row["order"] for row in result["rows"]], [1, 2, 4])
+        for row in result["rows"]:
+            self.assertAlmostEqual(row["observed"], row["order"], delta=0.2)
+        text = self.call("order", swing, "--integrators", "rk4", "--seconds", "1").stdout
+        self.assertIn("its order", text)
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)

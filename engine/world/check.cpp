@@ -75,7 +75,6 @@ void check_tolerance(const RunSettings& run, Problems& problems) {
   }
   if (run.absolute_tolerance != 0) problems.positive("run.absolute_tolerance", run.absolute_tolerance, "m");
   if (run.step != 0) problems.add("run.step", "is given beside run.tolerance, expected one of the two");
-  if (run.compensated) problems.add("run.compensated", "needs run.step: with run.tolerance, expected false");
 }
 
 void check_run(const RunSettings& run, Problems& problems) {

@@ -45,6 +45,7 @@ struct Group {
   std::vector<Real*> rates;         ///< staged path, and rates kept between steps: what kernel.rates points to
   std::vector<Real*> rate_columns;  ///< where they are in memory: sets as at the start, see World::arrange_rates
   std::vector<Real*> carry;         ///< compensated summation: what kernel.carry points to
+  std::vector<Real*> carry_before;  ///< adaptive: as it was when the step began
 
   bool turns() const { return carried >= MotionKind::oriented; }
   bool spins() const { return carried != MotionKind::point; }
@@ -142,6 +143,7 @@ class World : public WorldInterface {
   void adaptive_step(double limit);
   void due_events();
   void accept_try();
+  void keep_carries();
   void take_back();
   void get_stuck(bool finite);
   double first_step();

@@ -11,13 +11,17 @@ class FlushDenormals {
  public:
 #ifdef __SSE2__
   FlushDenormals() : saved_(_mm_getcsr()) {
-    _mm_setcsr(saved_ | 0x8040u);
-  }  // FTZ and DAZ
+    if (!flushed()) _mm_setcsr(saved_ | flush);
+  }
   ~FlushDenormals() {
-    _mm_setcsr(saved_);
+    if (!flushed()) _mm_setcsr(saved_);
   }
 
  private:
+  static constexpr unsigned flush = 0x8040;  // FTZ and DAZ
+  bool flushed() const {
+    return (saved_ & flush) == flush;
+  }  // by a caller: writing the register is slow
   unsigned saved_;
 #elif defined(__aarch64__)
   FlushDenormals() {

@@ -69,11 +69,11 @@ void World::accept_try() {
 
 /// The state returns to where the step began.
 void World::take_back() {
-  pass("take_back", [&](const Group& group, const Block& block) {
+  pass(whole_, workers_, "take_back", [&](const Group& group, const Block& block) {
     const StateColumns &to = group.kernel.state, &from = group.kernel.before;
     const auto copy = [&](auto& targets, auto& sources) {
       for (std::size_t c = 0; c < std::size(targets); ++c) {
-        if (sources[c]) std::copy(sources[c] + block.first, sources[c] + block.last, targets[c] + block.first);
+        if (sources[c]) std::copy(sources[c] + block.first, sources[c] + padded(block.last), targets[c] + block.first);
       }
     };
     copy(to.position, from.position);
@@ -131,9 +131,9 @@ double World::first_step() {
 /// Rates at the state as it is, into set 0.
 void World::evaluate_start() {
   if (!fused_) {
-    staged_phase(method_, 0, time());
+    staged_phase(whole_, workers_, method_, 0, time());
   } else {
-    pass("evaluate", [&](const Group& group, const Block& block) {
+    pass(whole_, workers_, "evaluate", [&](const Group& group, const Block& block) {
       StepGroup at_state = group.kernel;
       at_state.trial = at_state.state;
       kernels_->evaluate[static_cast<int>(group.motion)](at_state, 0, block.first, block.last);

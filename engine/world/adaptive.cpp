@@ -69,7 +69,7 @@ void World::accept_try() {
 
 /// The state returns to where the step began.
 void World::take_back() {
-  pass(whole_, workers_, "take_back", [&](const Group& group, const Block& block) {
+  pass(whole_, "take_back", [&](const Group& group, const Block& block) {
     const StateColumns &to = group.kernel.state, &from = group.kernel.before;
     const auto copy = [&](auto& targets, auto& sources) {
       for (std::size_t c = 0; c < std::size(targets); ++c) {
@@ -131,9 +131,9 @@ double World::first_step() {
 /// Rates at the state as it is, into set 0.
 void World::evaluate_start() {
   if (!fused_) {
-    staged_phase(whole_, workers_, method_, 0, time());
+    staged_phase(whole_, method_, 0, time());
   } else {
-    pass(whole_, workers_, "evaluate", [&](const Group& group, const Block& block) {
+    pass(whole_, "evaluate", [&](const Group& group, const Block& block) {
       StepGroup at_state = group.kernel;
       at_state.trial = at_state.state;
       kernels_->evaluate[static_cast<int>(group.motion)](at_state, 0, block.first, block.last);

@@ -18,20 +18,21 @@ void Builder::add_blocks() {
     all_rows += padded(world_.groups_[g].live);
   }
   world_.whole_.copies = {0, world_.copies_};
-  world_.small_ = all_rows <= block_length;
+  world_.whole_.alone = all_rows <= block_length;
   if (!world_.fused_ && scene_.contact.kind != "penalty") add_parts();
   world_.arrange_rates();
 }
 
-/// Bodies of small scenes, and of some copies of them: as many as fill no more than a block, and a vector row by row.
+/// Few bodies, which stay in cache for all of a step: some copies, whose rows in each group begin with a cache line and
+/// so with a vector.
 void Builder::add_parts() {
-  constexpr std::size_t enough_rows = 256;  // with all of their columns they stay in cache
-  const std::size_t rows = row_alignment * world_.per_copy_;
-  std::size_t length = row_alignment * ((enough_rows + rows - 1) / std::max<std::size_t>(rows, 1));
-  if (world_.small_) length = world_.copies_;
-  if (length * world_.per_copy_ > block_length) return;
+  constexpr std::size_t enough_rows = 64, line = cache_line / sizeof(Real);
+  const std::size_t rows = line * std::max<std::size_t>(world_.per_copy_, 1);
+  const std::size_t length = line * ((enough_rows + rows - 1) / rows);
+  if (length >= world_.copies_ || length * world_.per_copy_ > block_length) return;
   for (std::size_t first = 0; first < world_.copies_; first += length) {
     Part& part = world_.parts_.emplace_back();
+    part.alone = true;
     part.copies = {first, std::min(first + length, world_.copies_)};
     for (std::size_t g = 0; g < world_.groups_.size(); ++g) {
       const std::size_t bodies = world_.groups_[g].per_copy;

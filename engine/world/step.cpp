@@ -15,14 +15,21 @@ constexpr double on_the_step = 1e-9;
 }  // namespace
 
 void World::step(std::uint64_t n) {
-  for (std::uint64_t i = 0; i < n; ++i) adaptive_ ? adaptive_step(std::numeric_limits<double>::infinity()) : one_step();
+  run(n, std::numeric_limits<double>::infinity());
 }
 
 void World::advance_to(double t, std::uint64_t most_steps) {
-  for (std::uint64_t i = 0; adaptive_ && i < most_steps && time() < t && !stuck_; ++i) adaptive_step(t);
-  if (adaptive_) return;
+  if (adaptive_) return run(most_steps, t);
   const double steps = std::floor(t / step_ + on_the_step), done = static_cast<double>(counters_.steps);
   if (steps > done) step(std::min(most_steps, static_cast<std::uint64_t>(steps - done)));
+}
+
+void World::run(std::uint64_t most_steps, double until) {
+  std::optional<FlushDenormals> flush;  // once for all steps; contacts flush in their passes alone
+  if (!contacts_) flush.emplace();
+  for (std::uint64_t i = 0; i < most_steps && time() < until && !stuck_; ++i) {
+    adaptive_ ? adaptive_step(until) : one_step();
+  }
 }
 
 /// begin -> events of this step, each at its time -> smooth motion in between -> finish
@@ -118,7 +125,7 @@ const FamilyKernels& World::kernels_of(const Group& group, const Method& method)
 }
 
 Moved World::fused_pass(const Method& method) {
-  return moving_pass(whole_, workers_, "fused_step", [&](const Group& group, const Block& block) {
+  return moving_pass(whole_, "fused_step", [&](const Group& group, const Block& block) {
     FusedStep* kernel = kernels_of(group, method).fused[static_cast<int>(group.motion)];
     return kernel(group.kernel, method, block.first, block.last);
   });

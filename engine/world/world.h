@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/core/clock.h"
+#include "engine/core/flush_denormals.h"
 #include "engine/core/workers.h"
 #include "engine/integrators/rows.h"
 #include "engine/integrators/step_control.h"
@@ -61,6 +62,7 @@ struct Block {
 /// Bodies that no others act on: some whole copies of the scene.
 struct Part {
   CopyRange copies;
+  bool alone = false;  ///< on one thread: passes of few bodies gain nothing from another one
   std::vector<Block> blocks;
   std::vector<Moved> moved;  ///< of each block
 
@@ -121,6 +123,7 @@ class World : public WorldInterface {
   };
 
   // step.cpp
+  void run(std::uint64_t most_steps, double until);
   void one_step();
   void advance(double from, double h);
   void take_effect(const Event& event);
@@ -136,18 +139,18 @@ class World : public WorldInterface {
   template <class Action>
   void timed(const char* name, Action action);
   template <class Task>
-  void pass(const Part& part, Workers& workers, const char* name, Task task);
+  void pass(const Part& part, const char* name, Task task);
   template <class Move>
-  Moved moving_pass(Part& part, Workers& workers, const char* name, Move move);
+  Moved moving_pass(Part& part, const char* name, Move move);
   void record(const char* name, double seconds);
   void report_non_finite(const Moved& moved);
   void add_event(const Event& event);
 
   // staged.cpp
   Moved staged_step(const Method& method, double from);
-  Moved staged_passes(Part& part, Workers& workers, const Method& method, double from);
-  void staged_phase(const Part& part, Workers& workers, const Method& method, int phase, double from);
-  void sum_forces(const Part& part, Workers& workers, const Method& method, int phase, double time);
+  Moved staged_passes(Part& part, const Method& method, double from);
+  void staged_phase(const Part& part, const Method& method, int phase, double from);
+  void sum_forces(const Part& part, const Method& method, int phase, double time);
   void run_users(const Group& group, const Block& block, double time);
 
   // adaptive.cpp
@@ -180,7 +183,6 @@ class World : public WorldInterface {
   std::vector<Moved> moved_;   ///< of each part
   std::vector<Part> parts_;    ///< staged path: what goes through a step on its own; none: pass by pass, all bodies
   Workers one_thread_{1};      ///< of a part among others
-  bool small_ = false;  ///< all bodies together are no more than a block: other threads would cost more than they bring
   std::vector<UserEffect> users_;
   mutable std::vector<PairSystem> pair_systems_;  ///< whose slots are scratch
   std::vector<std::string> narrowed_;
@@ -225,14 +227,18 @@ void World::timed(const char* name, Action action) {
   if (profiling_) record(name, seconds_now() - begin);
 }
 
-/// One parallel sweep over all blocks of the part, timed if asked for.
+/// One sweep over all blocks of the part, timed if asked for.
 template <class Task>
-void World::pass(const Part& part, Workers& workers, const char* name, Task task) {
+void World::pass(const Part& part, const char* name, Task task) {
   const auto run = [&](std::size_t b) {
     const Block& block = part.blocks[b];
     task(groups_[block.group], block);
   };
-  timed(name, [&] { workers.for_each(part.blocks.size(), run, small_ ? 1 : workers.threads()); });
+  timed(name, [&] {
+    if (!part.alone) return workers_.for_each(part.blocks.size(), run);
+    const FlushDenormals flush;
+    for (std::size_t b = 0; b < part.blocks.size(); ++b) run(b);
+  });
 }
 
 /// What the parts of a sweep tell, together.
@@ -247,8 +253,8 @@ inline Moved all_of(const std::vector<Moved>& parts) {
 
 /// A sweep that moves the bodies by move(group, block).
 template <class Move>
-Moved World::moving_pass(Part& part, Workers& workers, const char* name, Move move) {
-  pass(part, workers, name, [&](const Group& group, const Block& block) {
+Moved World::moving_pass(Part& part, const char* name, Move move) {
+  pass(part, name, [&](const Group& group, const Block& block) {
     part.moved[static_cast<std::size_t>(&block - part.blocks.data())] = move(group, block);
   });
   return all_of(part.moved);

@@ -16,7 +16,7 @@ constexpr double nearly_there = 2;
 /// Rows of a block from columns into others; those that do not exist stay out.
 void copy_rows(const auto& from, const auto& to, const Block& block) {
   for (std::size_t c = 0; c < std::size(from); ++c) {
-    if (from[c]) std::copy(from[c] + block.first, from[c] + block.last, to[c] + block.first);
+    if (from[c]) std::copy(from[c] + block.first, from[c] + padded(block.last), to[c] + block.first);
   }
 }
 
@@ -78,13 +78,13 @@ void World::accept_try() {
 /// Compensated summation: what rounding took so far, which a step that is taken back must find again.
 void World::keep_carries() {
   if (std::all_of(groups_.begin(), groups_.end(), [](const Group& group) { return group.carry.empty(); })) return;
-  pass("keep_carries",
+  pass(whole_, "keep_carries",
        [&](const Group& group, const Block& block) { copy_rows(group.carry, group.carry_before, block); });
 }
 
 /// The state returns to where the step began.
 void World::take_back() {
-  pass("take_back", [&](const Group& group, const Block& block) {
+  pass(whole_, "take_back", [&](const Group& group, const Block& block) {
     const StateColumns &to = group.kernel.state, &from = group.kernel.before;
     copy_rows(from.position, to.position, block);
     copy_rows(from.velocity, to.velocity, block);
@@ -142,9 +142,9 @@ double World::first_step() {
 /// Rates at the state as it is, into set 0.
 void World::evaluate_start() {
   if (!fused_) {
-    staged_phase(method_, 0, time());
+    staged_phase(whole_, method_, 0, time());
   } else {
-    pass("evaluate", [&](const Group& group, const Block& block) {
+    pass(whole_, "evaluate", [&](const Group& group, const Block& block) {
       StepGroup at_state = group.kernel;
       at_state.trial = at_state.state;
       kernels_->evaluate[static_cast<int>(group.motion)](at_state, 0, block.first, block.last);

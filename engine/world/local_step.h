@@ -73,6 +73,12 @@ static Moved fused_step(const StepGroup& group, const Method& method, std::size_
       });
 }
 
+/// Before effects add to them.
+template <class V>
+BALLPARK_INLINE void clear(Real* const (&sums)[3], std::size_t row) {
+  for (int c = 0; sums[0] && c < 3; ++c) store(sums[c] + row, V(Real(0)));
+}
+
 template <class F, class M, class V, bool compensated>
 static void prepare_pass(const StepGroup& group, const Method& method, int phase, std::size_t first, std::size_t last) {
   for (std::size_t row = first; row < last; row += lane_count<V>) {
@@ -90,6 +96,8 @@ static void prepare_pass(const StepGroup& group, const Method& method, int phase
         store_columns(group.trial_spin, row, spin);
       }
     }
+    clear<V>(group.forces.sums.force, row);
+    clear<V>(group.forces.sums.torque, row);
   }
 }
 
@@ -112,16 +120,16 @@ static Moved finish_pass(const StepGroup& group, const Method& method, std::size
       });
 }
 
-/// Two registers of particles at a time; a turning body's state fills the registers alone. `vector<n>` is the vector
-/// type of n registers, or Real.
+/// In a whole step two registers of particles at a time; a turning body's state fills the registers alone. Passes wait
+/// for memory rather than for results: one. `vector<n>` is the vector type of n registers, or Real.
 template <class M>
 inline constexpr int registers = M::turns || M::spins ? 1 : 2;
 
 template <class F, bool compensated, template <int> class Vector, class... M>
 static constexpr FamilyKernels family_kernels() {
   return {{&fused_step<F, M, Vector<registers<M>>, compensated>...},
-          {&prepare_pass < typename F::Staged, M, Vector<registers<M>>, compensated && F::prepare_moves > ...},
-          {&finish_pass<typename F::Staged, M, Vector<registers<M>>, compensated>...}};
+          {&prepare_pass < typename F::Staged, M, Vector<1>, compensated && F::prepare_moves > ...},
+          {&finish_pass<typename F::Staged, M, Vector<1>, compensated>...}};
 }
 
 template <bool compensated, template <int> class Vector, class... M>
@@ -138,8 +146,8 @@ template <template <int> class Vector, class... M>
 static constexpr KernelTable make_table(const char* target) {
   return {target,
           {step_kernels<false, Vector, M...>(), step_kernels<true, Vector, M...>()},
-          {&evaluate_pass<M, Vector<registers<M>>>...},
-          pair_kernels<Vector<2>>()};
+          {&evaluate_pass<M, Vector<1>>...},
+          pair_kernels<Vector<1>>()};
 }
 
 /// In the order of MotionKind.

@@ -1,6 +1,9 @@
 #include "engine/effects/mutual_gravity.h"
 
 #include <algorithm>
+#include <vector>
+
+#include "engine/core/aligned_array.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -18,15 +21,16 @@ MutualGravity::MutualGravity(const PairInput& input)
       kernels_(input.kernels),
       count_(input.bodies.count) {}
 
-/// A task is some whole copies, or a part of one.
+/// A task is some whole copies, which begin with a cache line, or a part of one; so each has slots for a vector.
 template <class Act>
 void MutualGravity::for_tasks(const PairBodies& bodies, Workers& workers, Act act) const {
-  const std::size_t parts = (count_ + task_slots - 1) / task_slots;
-  const std::size_t length = std::max<std::size_t>(1, task_slots / count_);
+  constexpr std::size_t line = cache_line / sizeof(Real);
+  const std::size_t parts = std::max<std::size_t>(1, count_ / task_slots);  // the last one takes what is left
+  const std::size_t length = parts > 1 ? 1 : line * std::max<std::size_t>(1, task_slots / line / count_);
   const std::size_t copies = bodies.last_copy - bodies.first_copy;
   const auto task = [&](std::size_t t) {
     const std::size_t copy = bodies.first_copy + t / parts * length, start = copy * count_;
-    const std::size_t first = t % parts * task_slots, last = std::min(first + task_slots, count_);
+    const std::size_t first = t % parts * task_slots, last = t % parts + 1 < parts ? first + task_slots : count_;
     Attraction a{{},        bodies.mass + start,    count_, std::min(length, bodies.last_copy - copy), 0,
                  strength_, softening_ * softening_};
     const bool ends = copy + a.copies == bodies.last_copy && last == count_;

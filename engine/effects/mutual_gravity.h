@@ -11,20 +11,17 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-/// Some bodies of one copy, one in each lane, in columns of which not all lanes need be theirs.
+/// Some bodies of one copy, one in each lane; the lanes before and behind them are others'.
 template <class V>
 struct AttractedLanes {
-  std::size_t slot, count;  ///< of the first, and how many there are
-  bool whole;               ///< may all lanes be read and written?
+  std::size_t slot;  ///< of the first lane
+  V first, last;     ///< lanes of these bodies: [first, last)
 
-  BALLPARK_INLINE V read(const Real* column) const {
-    return whole ? load<V>(column + slot) : load_some<V>(column + slot, count);
-  }
-  /// Lanes that are others' keep their value.
+  BALLPARK_INLINE V read(const Real* column) const { return load<V>(column + slot); }
+  /// Others keep their value.
   BALLPARK_INLINE void add(Real* column, const V& value) const {
-    const V zero = V(Real(0)), bodies = V(static_cast<Real>(count));
-    const V sum = read(column) + select(bodies > lane_numbers<V>(), value, zero);
-    whole ? store(column + slot, sum) : store_some(column + slot, sum, count);
+    const V zero = V(Real(0)), numbers = lane_numbers<V>();
+    store(column + slot, read(column) + select(first > numbers, zero, select(last > numbers, value, zero)));
   }
 };
 
@@ -34,9 +31,9 @@ BALLPARK_INLINE void over_lanes(const Attraction& a, std::size_t first, std::siz
   for (std::size_t copy = 0; copy < a.copies; ++copy) {
     const std::size_t start = copy * a.count;
     for (std::size_t i = first; i < last; i += lane_count<V>) {
-      const std::size_t slot = start + i, left = last - i;
-      const std::size_t bodies = left < lane_count<V> ? left : lane_count<V>;
-      act(AttractedLanes<V>{slot, bodies, slot + lane_count<V> <= a.end}, start);
+      const std::size_t left = last - i, bodies = left < lane_count<V> ? left : lane_count<V>;
+      const std::size_t slot = start + i, latest = a.end - lane_count<V>, at = slot < latest ? slot : latest;
+      act(AttractedLanes<V>{at, V(static_cast<Real>(slot - at)), V(static_cast<Real>(slot - at + bodies))}, start);
     }
   }
 }

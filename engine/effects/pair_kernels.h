@@ -12,7 +12,7 @@ struct Attraction {
   const Real* position[3];
   const Real* mass;
   std::size_t count = 0, copies = 1;
-  std::size_t end = 0;         ///< of what may be read and written, from the first body on
+  std::size_t end = 0;         ///< of what may be read and written, from the first body on: no less than a vector
   Real strength = 0;           ///< G
   Real softening_squared = 0;  ///< s^2
 };

@@ -114,20 +114,6 @@ BALLPARK_INLINE void store(Real* p, const V& v) {
   }
 }
 
-/// The first `count` lanes of a vector from memory, the rest zero; and back to memory.
-template <class V>
-BALLPARK_INLINE V load_some(const Real* p, std::size_t count) {
-  Real values[lane_count<V>] = {};
-  for (std::size_t lane = 0; lane < count; ++lane) values[lane] = p[lane];
-  return load<V>(values);
-}
-template <class V>
-BALLPARK_INLINE void store_some(Real* p, const V& v, std::size_t count) {
-  Real values[lane_count<V>];
-  store(values, v);
-  for (std::size_t lane = 0; lane < count; ++lane) p[lane] = values[lane];
-}
-
 #if defined(__SSE2__)
 // Vector types have no square root of their own, and gcc does not always make one instruction of a loop over lanes.
 BALLPARK_INLINE __m128 root_of_register(__m128 v) {

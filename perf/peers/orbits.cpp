@@ -52,6 +52,10 @@ std::string bar_of(const OrbitCase& orbit) {
   return fmt::format("{} {}{}", orbit.at_most ? "<=" : ">=", orbit.bar, aim);
 }
 
+const char* ratio_of(const OrbitCase& orbit) {
+  return orbit.at_most ? "Ballpark / odeint" : "odeint / Ballpark";
+}
+
 void print(const OrbitResult& result) {
   const OrbitCase& orbit = result.orbit;
   fmt::print("\n{}{}\n", orbit.name, orbit.copies > 1 ? fmt::format(": {} of them", orbit.copies) : "");
@@ -63,13 +67,23 @@ void print(const OrbitResult& result) {
                  p.evaluations, 1e3 * p.minimum, 1e3 * p.median);
     }
   }
-  const char* what = orbit.at_most ? "Ballpark / odeint" : "odeint / Ballpark";
   const auto line = [](const std::string& name, const EqualError& r, const std::string& note) {
     fmt::print("  {:<34}{:>8.3f} by the minima, {:>6.3f} by the medians{}\n", name, r.of_minima, r.of_medians, note);
   };
-  for (const EqualError& r : result.at_errors) line(fmt::format("{} at error {:g}", what, r.error), r, "");
+  for (const EqualError& r : result.at_errors) line(fmt::format("{} at error {:g}", ratio_of(orbit), r.error), r, "");
   line("mean", result.mean, fmt::format("   {}: {}", bar_of(orbit), result.met ? "met" : "MISSED"));
   for (const EqualError& r : result.gain_of_threads) line("one thread / two", r, "");
+}
+
+void print_summary(const std::vector<OrbitResult>& results) {
+  fmt::print("\n{:<30}{:<20}{:>10}{:>11}   {}\n", "at equal error", "ratio of times", "of minima", "of medians", "bar");
+  for (const OrbitResult& r : results) {
+    fmt::print("{:<30}{:<20}{:>10.2f}{:>11.2f}   {}: {}\n", r.orbit.name, ratio_of(r.orbit), r.mean.of_minima,
+               r.mean.of_medians, bar_of(r.orbit), r.met ? "met" : "MISSED");
+    if (r.orbit.copies == 1) continue;
+    const EqualError gain = mean(r.gain_of_threads);
+    fmt::print("{:<30}{:<20}{:>10.2f}{:>11.2f}\n", "", "one thread / two", gain.of_minima, gain.of_medians);
+  }
 }
 
 nlohmann::json json_of(const EqualError& r) {
@@ -136,6 +150,7 @@ int run(const CommandLine& line) {
     if (!json_only) print(results.back());
     std::fflush(stdout);
   }
+  if (!json_only) print_summary(results);
   if (json_only) fmt::print("{}", to_json(here, line, results));
   if (line.json && !json_only && !(std::ofstream(*line.json) << to_json(here, line, results))) {
     fmt::print(stderr, "cannot write {}\n", *line.json);

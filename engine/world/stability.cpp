@@ -132,11 +132,14 @@ double spectral_radius(const Row& row, double spring_h2, double damping_h) {
 /// Rounding in Real, for radii near 1.
 constexpr double tolerance = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
+/// Growth so weak that it counts as none at small steps: a method of high order may grow at all of them.
+constexpr double faint = 1e-9;
+
 /// Largest s such that radius(t) <= 1 for all t in (0, s]; 0 if it already grows at small t.
 template <class F>
 double boundary(F radius, double scale) {
   const double small = 0.05 * scale;
-  if (radius(small) > 1 + std::max(tolerance, 1e-9)) return 0;
+  if (radius(small) > 1 + std::max(tolerance, faint)) return 0;
   double low = small, high = small;
   while (radius(high) <= 1 + tolerance) {
     low = high;
@@ -147,7 +150,10 @@ double boundary(F radius, double scale) {
     const double middle = (low + high) / 2;
     (radius(middle) <= 1 + tolerance ? low : high) = middle;
   }
-  return low;
+  // Where growth rises so slowly that rounding alone hides it below, it was there all along.
+  double most = 0;
+  for (const double beyond : {1.1, 1.2, 1.3, 1.4, 1.5}) most = std::max(most, radius(beyond * low));
+  return most <= 1 + faint ? 0 : low;
 }
 
 }  // namespace

@@ -9,12 +9,13 @@ namespace {
 
 constexpr std::size_t task_length = 1024;
 
-/// act(i) for i in [0, count), in tasks.
+/// act(i) for i in [first, last), in tasks.
 template <class Act>
-void for_all(std::size_t count, Workers& workers, Act act) {
-  const std::size_t tasks = (count + task_length - 1) / task_length;
+void for_all(std::size_t first, std::size_t last, Workers& workers, Act act) {
+  const std::size_t tasks = (last - first + task_length - 1) / task_length;
   const auto task = [&](std::size_t t) {
-    for (std::size_t i = t * task_length; i < std::min((t + 1) * task_length, count); ++i) act(i);
+    const std::size_t begin = first + t * task_length;
+    for (std::size_t i = begin; i < std::min(begin + task_length, last); ++i) act(i);
   };
   workers.for_each(tasks, task, tasks < 2 ? 1 : workers.threads());
 }
@@ -37,10 +38,10 @@ Bonds::Bonds(const PairInput& input) : period_(input.period) {
   std::sort(bonds_.begin(), bonds_.end(), [&](const Bond& x, const Bond& y) { return key(x) < key(y); });
   list_ends(input.bodies);
   bound_stiffness(input.bodies);
-  forces_.resize(bonds_.size() * input.bodies.copies);
+  forces_.resize(bonds_.size() * input.bodies.last_copy);
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     const Bond& bond = bonds_[i % bonds_.size()];
-    const std::size_t start = i / bonds_.size() * input.bodies.stride;
+    const std::size_t start = i / bonds_.size() * input.bodies.count;
     const bool as_placed = bond.rest_length < 0;
     rest_lengths_.push_back(as_placed ? length(apart(input.bodies, start + bond.a, start + bond.b)) : bond.rest_length);
   }
@@ -68,7 +69,7 @@ void Bonds::bound_stiffness(const PairBodies& bodies) {
   std::vector<double> spring(bodies.count), damping(bodies.count);
   for (const Bond& bond : bonds_) {
     for (const std::uint32_t end : {bond.a, bond.b}) {
-      const double inverse = 1 / static_cast<double>(bodies.mass.data()[end]);
+      const double inverse = 1 / static_cast<double>(bodies.mass[end]);
       spring[end] += static_cast<double>(bond.stiffness) * inverse;
       damping[end] += static_cast<double>(bond.damping) * inverse;
     }
@@ -79,10 +80,11 @@ void Bonds::bound_stiffness(const PairBodies& bodies) {
   }
 }
 
-void Bonds::find_forces(PairBodies& bodies, Workers& workers) {
-  for_all(forces_.size(), workers, [&](std::size_t i) {
+void Bonds::add_forces(const PairBodies& bodies, Workers& workers) {
+  const std::size_t first = bodies.first_copy, last = bodies.last_copy;
+  for_all(first * bonds_.size(), last * bonds_.size(), workers, [&](std::size_t i) {
     const Bond& bond = bonds_[i % bonds_.size()];
-    const std::size_t start = i / bonds_.size() * bodies.stride, a = start + bond.a, b = start + bond.b;
+    const std::size_t start = i / bonds_.size() * bodies.count, a = start + bond.a, b = start + bond.b;
     const Vector3<Real> r = apart(bodies, a, b);
     const Vector3<Real> v = bodies.velocity_of(b) - bodies.velocity_of(a);
     const Real distance = length(r);
@@ -93,14 +95,14 @@ void Bonds::find_forces(PairBodies& bodies, Workers& workers) {
     const Real tension = bond.stiffness * (distance - rest_lengths_[i]) + bond.damping * dot(v, r) / distance;
     forces_[i] = (-tension / distance) * r;
   });
-  for_all(bodies.copies * bodies.count, workers, [&](std::size_t i) {
-    const std::size_t copy = i / bodies.count, slot = i % bodies.count, at = copy * bodies.stride + slot;
+  for_all(first * bodies.count, last * bodies.count, workers, [&](std::size_t i) {
+    const std::size_t copy = i / bodies.count, slot = i % bodies.count;
     Vector3<Real> sum;
     for (std::uint32_t e = first_end_[slot]; e < first_end_[slot + 1]; ++e) {
       const Vector3<Real>& force = forces_[copy * bonds_.size() + ends_[e].bond];
       ends_[e].is_a ? sum -= force : sum += force;
     }
-    bodies.force[0].data()[at] = sum.x, bodies.force[1].data()[at] = sum.y, bodies.force[2].data()[at] = sum.z;
+    bodies.force[0][i] += sum.x, bodies.force[1][i] += sum.y, bodies.force[2][i] += sum.z;
   });
 }
 
@@ -108,7 +110,7 @@ double Bonds::energy(const PairBodies& bodies, Workers&) {
   double sum = 0;
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     const Bond& bond = bonds_[i % bonds_.size()];
-    const std::size_t start = i / bonds_.size() * bodies.stride;
+    const std::size_t start = i / bonds_.size() * bodies.count;
     const Real extension = length(apart(bodies, start + bond.a, start + bond.b)) - rest_lengths_[i];
     sum += static_cast<double>(bond.stiffness / 2 * extension * extension);
   }

@@ -9,7 +9,7 @@ namespace ballpark::BALLPARK_PRECISION {
 class Bonds : public PairEffect {
  public:
   explicit Bonds(const PairInput& input);
-  void find_forces(PairBodies& bodies, Workers& workers) override;
+  void add_forces(const PairBodies& bodies, Workers& workers) override;
   double energy(const PairBodies& bodies, Workers& workers) override;
   Stiffness per_mass() const override { return per_mass_; }
   PairCost cost() const override;

@@ -63,7 +63,7 @@ struct LocalForces {
 
  private:
   template <class V>
-  BALLPARK_INLINE static Vector3<V> from_columns(const Real* const (&columns)[3], std::size_t row) {
+  BALLPARK_INLINE static Vector3<V> from_columns(Real* const (&columns)[3], std::size_t row) {
     return {load<V>(columns[0] + row), load<V>(columns[1] + row), load<V>(columns[2] + row)};
   }
 

@@ -1,12 +1,15 @@
 #include "engine/effects/mutual_gravity.h"
 
 #include <algorithm>
+#include <vector>
+
+#include "engine/core/aligned_array.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
 namespace {
 
-constexpr std::size_t task_slots = 128;       // a multiple of any vector
+constexpr std::size_t task_slots = 128;
 constexpr std::size_t small_scene = 1 << 14;  // pairs below which one thread is faster than two
 constexpr int flops_of_pair = 18;
 
@@ -18,34 +21,41 @@ MutualGravity::MutualGravity(const PairInput& input)
       kernels_(input.kernels),
       count_(input.bodies.count) {}
 
+/// A task is some whole copies, which begin with a cache line, or a part of one; so each has slots for a vector.
 template <class Act>
 void MutualGravity::for_tasks(const PairBodies& bodies, Workers& workers, Act act) const {
-  const std::size_t of_copy = (bodies.stride + task_slots - 1) / task_slots;
+  constexpr std::size_t line = cache_line / sizeof(Real);
+  const std::size_t parts = std::max<std::size_t>(1, count_ / task_slots);  // the last one takes what is left
+  const std::size_t length = parts > 1 ? 1 : line * std::max<std::size_t>(1, task_slots / line / count_);
+  const std::size_t copies = bodies.last_copy - bodies.first_copy;
   const auto task = [&](std::size_t t) {
-    const std::size_t start = t / of_copy * bodies.stride, first = t % of_copy * task_slots;
-    Attraction a{{}, bodies.mass.data() + start, bodies.count, strength_, softening_ * softening_};
-    for (int c = 0; c < 3; ++c) a.position[c] = bodies.position[c].data() + start;
-    act(a, start, first, std::min(first + task_slots, bodies.stride));
+    const std::size_t copy = bodies.first_copy + t / parts * length, start = copy * count_;
+    const std::size_t first = t % parts * task_slots, last = t % parts + 1 < parts ? first + task_slots : count_;
+    Attraction a{{},        bodies.mass + start,    count_, std::min(length, bodies.last_copy - copy), 0,
+                 strength_, softening_ * softening_};
+    const bool ends = copy + a.copies == bodies.last_copy && last == count_;
+    a.end = ends ? bodies.end - start : (a.copies - 1) * count_ + last;
+    for (int c = 0; c < 3; ++c) a.position[c] = bodies.position[c] + start;
+    act(a, start, first, last);
   };
-  const bool small = bodies.copies * bodies.count * bodies.count < small_scene;
-  workers.for_each(bodies.copies * of_copy, task, small ? 1 : workers.threads());
+  const bool small = copies * count_ * count_ < small_scene;
+  workers.for_each((copies + length - 1) / length * parts, task, small ? 1 : workers.threads());
 }
 
-void MutualGravity::find_forces(PairBodies& bodies, Workers& workers) {
+void MutualGravity::add_forces(const PairBodies& bodies, Workers& workers) {
   for_tasks(bodies, workers, [&](const Attraction& a, std::size_t start, std::size_t first, std::size_t last) {
-    Real* const force[3] = {bodies.force[0].data() + start, bodies.force[1].data() + start,
-                            bodies.force[2].data() + start};
+    Real* const force[3] = {bodies.force[0] + start, bodies.force[1] + start, bodies.force[2] + start};
     kernels_.attract(a, first, last, force);
   });
 }
 
 double MutualGravity::energy(const PairBodies& bodies, Workers& workers) {
-  const AlignedArray<Real> energies(bodies.copies * bodies.stride);
+  std::vector<Real> energies(bodies.end);
   for_tasks(bodies, workers, [&](const Attraction& a, std::size_t start, std::size_t first, std::size_t last) {
     kernels_.attraction_energy(a, first, last, energies.data() + start);
   });
   double sum = 0;
-  for (std::size_t i = 0; i < energies.size(); ++i) sum += static_cast<double>(energies.data()[i]);
+  for (const Real energy : energies) sum += static_cast<double>(energy);
   return sum;
 }
 

@@ -1,10 +1,9 @@
 // What an effect between bodies tells of itself. It sees its bodies by slot, the rank of a body's id among them, so
-// that no order of rows reaches a bit, and writes the force on each; the world sums it before bodies' own effects act.
+// that no order of rows reaches a bit, and adds the force on each; bodies' own effects act after it.
 #pragma once
 
 #include <memory>
 
-#include "engine/core/aligned_array.h"
 #include "engine/core/function_ref.h"
 #include "engine/core/workers.h"
 #include "engine/effects/effect_info.h"
@@ -13,21 +12,21 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-/// Slots of copy c: [c stride, c stride + count), then padding of no mass.
+/// Bodies in columns by slot: those of copy c are [c count, (c + 1) count). These are some of the copies.
 struct PairBodies {
-  std::size_t count = 0;   ///< of one copy
-  std::size_t stride = 0;  ///< from one copy to the next: a multiple of any vector
-  std::size_t copies = 1;
-  AlignedArray<Real> mass, position[3], velocity[3];
-  AlignedArray<Real> force[3];
+  std::size_t count = 0;  ///< of one copy
+  std::size_t first_copy = 0, last_copy = 1;
+  std::size_t end = 0;  ///< of the slots that may be touched: those of these copies, and padding if there is some
+  const Real* mass = nullptr;
+  const Real* position[3] = {};
+  const Real* velocity[3] = {};  ///< null if the effect does not read it
+  Real* force[3] = {};
 
-  void resize();
-  Vector3<Real> position_of(std::size_t slot) const { return at(position, slot); }
-  Vector3<Real> velocity_of(std::size_t slot) const { return at(velocity, slot); }
-
- private:
-  static Vector3<Real> at(const AlignedArray<Real> (&c)[3], std::size_t i) {
-    return {c[0].data()[i], c[1].data()[i], c[2].data()[i]};
+  Vector3<Real> position_of(std::size_t slot) const {
+    return {position[0][slot], position[1][slot], position[2][slot]};
+  }
+  Vector3<Real> velocity_of(std::size_t slot) const {
+    return {velocity[0][slot], velocity[1][slot], velocity[2][slot]};
   }
 };
 
@@ -39,9 +38,9 @@ struct PairCost {
 class PairEffect {
  public:
   virtual ~PairEffect() = default;
-  /// Writes the force on every slot.
-  virtual void find_forces(PairBodies& bodies, Workers& workers) = 0;
-  /// Potential energy of all copies together [J].
+  /// Adds the force on every body. Other threads may do so for other copies.
+  virtual void add_forces(const PairBodies& bodies, Workers& workers) = 0;
+  /// Potential energy of these copies together [J].
   virtual double energy(const PairBodies& bodies, Workers& workers) = 0;
   /// Bound on its stiffness and damping per mass [1/s^2, 1/s]: zero, it sets no limit to the step.
   virtual Stiffness per_mass() const { return {}; }
@@ -51,7 +50,7 @@ class PairEffect {
 /// A scene's effect as its own code reads it. Parameters are checked and defaults filled in.
 struct PairInput {
   const EffectInput& effect;
-  const PairBodies& bodies;  ///< at the start
+  const PairBodies& bodies;  ///< all, at the start
   FunctionRef<std::size_t(std::size_t id)> slot_of;
   PairKernels kernels;
   Period period;  ///< of the scene's space

@@ -17,12 +17,4 @@ int pair_effect_index(const std::string& name) {
   return -1;
 }
 
-void PairBodies::resize() {
-  const std::size_t slots = copies * stride;
-  mass = AlignedArray<Real>(slots);
-  for (int c = 0; c < 3; ++c) {
-    for (AlignedArray<Real>* column : {&position[c], &velocity[c], &force[c]}) *column = AlignedArray<Real>(slots);
-  }
-}
-
 }  // namespace ballpark::BALLPARK_PRECISION

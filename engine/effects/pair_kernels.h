@@ -7,20 +7,21 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-/// Bodies that attract each other, as columns from the first slot of a copy on.
+/// Bodies that attract each other: some copies of `count` bodies, one behind the other, as columns from the first on.
 struct Attraction {
   const Real* position[3];
   const Real* mass;
-  std::size_t count = 0;       ///< bodies; the columns are padded
+  std::size_t count = 0, copies = 1;
+  std::size_t end = 0;         ///< of what may be read and written, from the first body on: no less than a vector
   Real strength = 0;           ///< G
   Real softening_squared = 0;  ///< s^2
 };
 
-/// For slots [first, last), a multiple of any vector.
+/// For bodies [first, last) of each copy.
 struct PairKernels {
-  /// Force on each [N].
+  /// Adds the force on each [N].
   void (*attract)(const Attraction&, std::size_t first, std::size_t last, Real* const* force);
-  /// Half of each body's energy in the field of the others [J].
+  /// Adds half of each body's energy in the field of the others [J].
   void (*attraction_energy)(const Attraction&, std::size_t first, std::size_t last, Real* energy);
 };
 

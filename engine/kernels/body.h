@@ -64,10 +64,10 @@ struct Acceleration {
   Vector3<V> linear, angular;
 };
 
-/// Force and torque that passes before this kernel have summed (user effects); null: none.
+/// Force and torque that passes before an evaluation sum (user effects, effects between bodies); null: none.
 struct SumColumns {
-  const Real* force[3] = {};
-  const Real* torque[3] = {};
+  Real* force[3] = {};
+  Real* torque[3] = {};
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -13,6 +13,13 @@ namespace {
 
 /// The last steps to a time that must be met are made equal rather than one full and one tiny.
 constexpr double nearly_there = 2;
+/// Rows of a block from columns into others; those that do not exist stay out.
+void copy_rows(const auto& from, const auto& to, const Block& block) {
+  for (std::size_t c = 0; c < std::size(from); ++c) {
+    if (from[c]) std::copy(from[c] + block.first, from[c] + padded(block.last), to[c] + block.first);
+  }
+}
+
 /// The smallest step that still moves the time and, without denormals, a coefficient.
 double least_step(double time) {
   const double smallest = std::max(static_cast<double>(std::numeric_limits<Real>::min()), 1e-307);
@@ -27,6 +34,7 @@ void World::adaptive_step(double limit) {
   due_events();
   if (next_event_ < events_.size()) limit = std::min(limit, events_[next_event_].at);
   if (control_.step == 0) control_.step = first_step();
+  keep_carries();
   for (bool finite = true;;) {
     if (!(control_.step > least_step(time()))) return get_stuck(finite);
     const double left = elapsed_.until(limit);
@@ -67,20 +75,23 @@ void World::accept_try() {
   if (keeps_rates_) turn_rates();
 }
 
+/// Compensated summation: what rounding took so far, which a step that is taken back must find again.
+void World::keep_carries() {
+  if (std::all_of(groups_.begin(), groups_.end(), [](const Group& group) { return group.carry.empty(); })) return;
+  pass(whole_, "keep_carries",
+       [&](const Group& group, const Block& block) { copy_rows(group.carry, group.carry_before, block); });
+}
+
 /// The state returns to where the step began.
 void World::take_back() {
-  pass("take_back", [&](const Group& group, const Block& block) {
+  pass(whole_, "take_back", [&](const Group& group, const Block& block) {
     const StateColumns &to = group.kernel.state, &from = group.kernel.before;
-    const auto copy = [&](auto& targets, auto& sources) {
-      for (std::size_t c = 0; c < std::size(targets); ++c) {
-        if (sources[c]) std::copy(sources[c] + block.first, sources[c] + block.last, targets[c] + block.first);
-      }
-    };
-    copy(to.position, from.position);
-    copy(to.velocity, from.velocity);
+    copy_rows(from.position, to.position, block);
+    copy_rows(from.velocity, to.velocity, block);
     // What is carried and not integrated has not moved.
-    if (group.motion != MotionKind::point) copy(to.momentum, from.momentum);
-    if (group.motion >= MotionKind::oriented) copy(to.orientation, from.orientation);
+    if (group.motion != MotionKind::point) copy_rows(from.momentum, to.momentum, block);
+    if (group.motion >= MotionKind::oriented) copy_rows(from.orientation, to.orientation, block);
+    copy_rows(group.carry_before, group.carry, block);
   });
   if (penalty_) penalty_->penalty.take_back();
 }
@@ -131,9 +142,9 @@ double World::first_step() {
 /// Rates at the state as it is, into set 0.
 void World::evaluate_start() {
   if (!fused_) {
-    staged_phase(method_, 0, time());
+    staged_phase(whole_, method_, 0, time());
   } else {
-    pass("evaluate", [&](const Group& group, const Block& block) {
+    pass(whole_, "evaluate", [&](const Group& group, const Block& block) {
       StepGroup at_state = group.kernel;
       at_state.trial = at_state.state;
       kernels_->evaluate[static_cast<int>(group.motion)](at_state, 0, block.first, block.last);

@@ -241,21 +241,6 @@ void Builder::add_state_columns() {
   }
 }
 
-/// Blocks never straddle groups; the last one of a group takes the padding.
-void Builder::add_blocks() {
-  std::size_t all_rows = 0;
-  for (std::size_t g = 0; g < world_.groups_.size(); ++g) {
-    const std::size_t rows = padded(world_.groups_[g].live);
-    all_rows += rows;
-    for (std::size_t first = 0; first < rows; first += block_length) {
-      world_.blocks_.push_back({g, first, std::min(first + block_length, rows)});
-    }
-  }
-  world_.small_ = all_rows <= block_length;
-  world_.moved_.resize(world_.blocks_.size());
-  world_.arrange_rates();
-}
-
 /// Impulses of every copy, and the ends of windows, by time.
 void Builder::add_events() {
   for (std::size_t copy = 0; copy < world_.copies_; ++copy) {

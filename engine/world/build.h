@@ -38,6 +38,7 @@ class Builder {
   void add_before(Group& group);
   void add_scratch(Group& group);
   void add_blocks();
+  void add_parts();
   void add_events();
   // build_pairs.cpp
   void add_pair_systems();

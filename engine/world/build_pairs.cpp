@@ -30,37 +30,27 @@ void Builder::add_pair_systems() {
 }
 
 void Builder::add_pair_system(const Effect& effect) {
-  PairSystem system;
-  system.info = &pair_effects()[static_cast<std::size_t>(pair_effect_index(effect.kind))];
   std::vector<std::size_t> chosen;
-  PairBodies& bodies = system.bodies;
+  std::size_t count = 0;
   for (std::size_t g = 0; g < world_.groups_.size(); ++g) {
     const Group& group = world_.groups_[g];
     if (group.per_copy == 0 || !acts_on(effect, scene_.bodies[group.scene_index])) continue;
     chosen.push_back(g);
-    bodies.count += group.per_copy;
+    count += group.per_copy;
   }
-  if (bodies.count == 0) return;
-  bodies.copies = world_.copies_;
-  bodies.stride = padded(bodies.count);
-  bodies.resize();
-  system.ranges = slot_ranges(world_.groups_, chosen, bodies.copies, bodies.stride);
-  for (const SlotRange& range : system.ranges) {
-    const PerBody& mass = world_.groups_[range.group].kernel.constants.mass;
-    for (std::size_t i = 0; i < range.count; ++i) {
-      bodies.mass.data()[range.first_slot + i] = mass.at<Real>(range.first_row + i);
-    }
-  }
-  system.read_state(world_.groups_, world_.workers_);
+  if (count == 0) return;
+  const PairEffectInfo& info = pair_effects()[static_cast<std::size_t>(pair_effect_index(effect.kind))];
+  PairSystem system(info, world_.groups_, chosen, world_.copies_);
+  const PairBodies bodies = system.in_state(world_.groups_, world_.workers_);
   const auto slot_of = [&](std::size_t id) {
     for (const SlotRange& range : system.ranges) {  // those of copy 0 come first
       const Group& group = world_.groups_[range.group];
       const std::size_t first = group.id_offset + range.first_row;
       if (id >= first && id < first + range.count) return range.first_slot + (id - first);
     }
-    return bodies.count;  // refused by check()
+    return count;  // refused by check()
   };
-  const auto parameters = complete_parameters(effect, system.info->description);
+  const auto parameters = complete_parameters(effect, info.description);
   const EffectInput input{parameters, 0, {}};
   Period period;
   for (const Boundary& boundary : scene_.boundaries) {
@@ -68,7 +58,7 @@ void Builder::add_pair_system(const Effect& effect) {
       period.length[c] = static_cast<Real>(boundary.size[c]);
     }
   }
-  system.effect = system.info->make({input, bodies, slot_of, world_.kernels_->pair, period});
+  system.effect = info.make({input, bodies, slot_of, world_.kernels_->pair, period});
   world_.pair_systems_.push_back(std::move(system));
 }
 

@@ -74,14 +74,17 @@ void check_tolerance(const RunSettings& run, Problems& problems) {
                                               text(run.tolerance), text(least)));
   }
   if (run.absolute_tolerance != 0) problems.positive("run.absolute_tolerance", run.absolute_tolerance, "m");
-  if (run.step != 0) problems.add("run.step", "is given beside run.tolerance, expected one of the two");
-  if (run.compensated) problems.add("run.compensated", "needs run.step: with run.tolerance, expected false");
+  if (run.step != 0 || run.automatic_step) {
+    problems.add("run.step", "is given beside run.tolerance, expected one of the two");
+  }
 }
 
 void check_run(const RunSettings& run, Problems& problems) {
   const bool ends = problems.not_negative("run.duration", run.duration, "s");
   if (run.tolerance != 0) {
     check_tolerance(run, problems);
+  } else if (run.automatic_step) {
+    if (run.step != 0) problems.add("run.step", "is given beside run.automatic_step, expected one of the two");
   } else if (run.step == 0) {
     problems.add("run.step",
                  "is not given, expected a number > 0 [s], or run.tolerance of an integrator that takes one");

@@ -153,29 +153,20 @@ struct PassWriter {
     auto reads = moves ? with_carry(state_names(group.motion)) : state_names(group.motion);
     if (count.stages > 0 || moves) reads.push_back("rates");
     const double stage_terms = moves ? between : count.stages / phases;
-    add("prepare", reads, trial, motion.reads + motion.writes + moved + size * stage_terms, 2 * size * stage_terms,
-        calls, "trial state of each phase");
+    auto prepared = trial;
+    if (group.force_sums[0]) sums.push_back("force");
+    if (group.torque_sums[0]) sums.push_back("torque");
+    prepared.insert(prepared.end(), sums.begin(), sums.end());
+    const double summed = 3.0 * static_cast<double>(sums.size());
+    add("prepare", reads, prepared, motion.reads + motion.writes + moved + size * stage_terms + summed,
+        2 * size * stage_terms, calls, "trial state of each phase");
     if (!group.users.empty()) {
-      sums = group.spins() ? std::vector<std::string>{"force", "torque"} : std::vector<std::string>{"force"};
-      const double values = motion.writes + 3.0 * static_cast<double>(sums.size());
-      add("user_effects", trial, sums, values, 0, calls, "user effects (their flops are not known)");
-    }
-    if (group.users.empty() && group.force_sums[0]) {
-      sums = {"force"};
-      if (group.torque_sums[0]) sums.push_back("torque");
-      passes.push_back({"clear_sums",
-                        group.name,
-                        {},
-                        sums,
-                        3.0 * static_cast<double>(sums.size()) * real,
-                        0,
-                        calls,
-                        "forces between bodies add to them"});
+      add("user_effects", trial, sums, motion.writes + summed, 0, calls, "user effects (their flops are not known)");
     }
     auto loads = with_prefix("trial_", state_names(group.motion));
     loads.insert(loads.end(), sums.begin(), sums.end());
-    add("evaluate", loads, {"rates"}, motion.reads + size + 3.0 * static_cast<double>(sums.size()),
-        motion.flops + effect_flops(), calls, "rates of each phase");
+    add("evaluate", loads, {"rates"}, motion.reads + size + summed, motion.flops + effect_flops(), calls,
+        "rates of each phase");
     auto ends = with_carry(state_names(group.motion));
     ends.push_back("rates");
     add("finish", ends, with_before(with_carry(written())),
@@ -235,7 +226,7 @@ std::vector<std::string> what_is_off(const std::vector<Group>& groups, const std
 
 /// Staged passes of all groups in the order of the step; effects between bodies lie between the others.
 void put_in_order(std::vector<PassReport>& passes) {
-  static const std::vector<std::string> before{"keep_neighbours", "prepare", "user_effects", "clear_sums"};
+  static const std::vector<std::string> before{"keep_neighbours", "prepare", "user_effects"};
   static const std::vector<std::string> after{"press_contacts", "evaluate", "finish", "finish_contacts"};
   const auto rank = [](const PassReport& pass) {
     const auto early = std::find(before.begin(), before.end(), pass.name);

@@ -242,6 +242,9 @@ void Builder::add_before(Group& group) {
   add("velocity_before", "m/s", before.velocity);
   if (group.spins()) add("angular_momentum_before", "kg m^2/s", before.momentum);
   if (group.turns()) add("orientation_before", "1", before.orientation);
+  if (group.carry.empty()) return;
+  group.carry_before.resize(group.carry.size());
+  add("carry_before", "state", group.carry_before);
 }
 
 /// Staged path: trial state, rates of each phase and, for user effects, spin and sums.

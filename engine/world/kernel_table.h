@@ -30,7 +30,7 @@ struct Moved {
   Real over = 0;
 };
 
-/// Rows [first, last), a multiple of any vector: padding rows repeat the last body.
+/// Rows [first, last), first a multiple of any vector; what is left of the last vector is padding.
 using FusedStep = Moved(const StepGroup&, const Method&, std::size_t first, std::size_t last);
 using Prepare = void(const StepGroup&, const Method&, int phase, std::size_t first, std::size_t last);
 using Evaluate = void(const StepGroup&, int phase, std::size_t first, std::size_t last);

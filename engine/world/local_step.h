@@ -66,11 +66,29 @@ BALLPARK_INLINE Moved move_rows(const StepGroup& group, std::size_t first, std::
 
 /// A whole step in registers: memory is read and written once.
 template <class F, class M, class V, bool compensated>
-static Moved fused_step(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
+BALLPARK_INLINE Moved step_rows(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
   return move_rows<State<M, V, compensated>, F::embeds>(
       group, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
         whole_step<F>(method, c, group.forces, ColumnRates<M, V>{group.rates, c.row}, state);
       });
+}
+
+/// Before effects add to them.
+template <class V>
+BALLPARK_INLINE void clear(Real* const (&sums)[3], std::size_t row) {
+  for (int c = 0; sums[0] && c < 3; ++c) store(sums[c] + row, V(Real(0)));
+}
+
+/// Two registers of particles at a time, unless all of them fit in one; a turning body's state fills the registers
+/// alone. `vector<n>` is the vector type of n registers, or Real.
+template <class F, class M, template <int> class Vector, bool compensated>
+static Moved fused_step(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
+  if constexpr (!M::turns && !M::spins) {
+    if (last - first > lane_count<Vector<1>>) {
+      return step_rows<F, M, Vector<2>, compensated>(group, method, first, last);
+    }
+  }
+  return step_rows<F, M, Vector<1>, compensated>(group, method, first, last);
 }
 
 template <class F, class M, class V, bool compensated>
@@ -90,6 +108,8 @@ static void prepare_pass(const StepGroup& group, const Method& method, int phase
         store_columns(group.trial_spin, row, spin);
       }
     }
+    clear<V>(group.forces.sums.force, row);
+    clear<V>(group.forces.sums.torque, row);
   }
 }
 
@@ -112,16 +132,12 @@ static Moved finish_pass(const StepGroup& group, const Method& method, std::size
       });
 }
 
-/// Two registers of particles at a time; a turning body's state fills the registers alone. `vector<n>` is the vector
-/// type of n registers, or Real.
-template <class M>
-inline constexpr int registers = M::turns || M::spins ? 1 : 2;
-
+/// Passes wait for memory rather than for results: one register at a time.
 template <class F, bool compensated, template <int> class Vector, class... M>
 static constexpr FamilyKernels family_kernels() {
-  return {{&fused_step<F, M, Vector<registers<M>>, compensated>...},
-          {&prepare_pass < typename F::Staged, M, Vector<registers<M>>, compensated && F::prepare_moves > ...},
-          {&finish_pass<typename F::Staged, M, Vector<registers<M>>, compensated>...}};
+  return {{&fused_step<F, M, Vector, compensated>...},
+          {&prepare_pass < typename F::Staged, M, Vector<1>, compensated && F::prepare_moves > ...},
+          {&finish_pass<typename F::Staged, M, Vector<1>, compensated>...}};
 }
 
 template <bool compensated, template <int> class Vector, class... M>
@@ -138,8 +154,8 @@ template <template <int> class Vector, class... M>
 static constexpr KernelTable make_table(const char* target) {
   return {target,
           {step_kernels<false, Vector, M...>(), step_kernels<true, Vector, M...>()},
-          {&evaluate_pass<M, Vector<registers<M>>>...},
-          pair_kernels<Vector<2>>()};
+          {&evaluate_pass<M, Vector<1>>...},
+          pair_kernels<Vector<1>>()};
 }
 
 /// In the order of MotionKind.

@@ -6,67 +6,99 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-namespace {
-
-template <class Act>
-void for_ranges(const std::vector<SlotRange>& ranges, Workers& workers, Act act) {
-  workers.for_each(
-      ranges.size(), [&](std::size_t r) { act(ranges[r]); }, ranges.size() < 4 ? 1 : workers.threads());
+PairSystem::PairSystem(const PairEffectInfo& effect_info, const std::vector<Group>& groups,
+                       std::vector<std::size_t> chosen, std::size_t copies)
+    : info(&effect_info), copies_(copies), alone_(chosen.size() == 1) {
+  for (const std::size_t g : chosen) count_ += groups[g].per_copy;
+  ranges = slot_ranges(groups, std::move(chosen), copies);
+  const auto& reads = info->description.reads;
+  reads_velocity_ = std::find(reads.begin(), reads.end(), "velocity") != reads.end();
+  const std::size_t slots = padded(count_ * copies);
+  mass_ = AlignedArray<Real>(slots);
+  for (const SlotRange& range : ranges) {
+    const PerBody& mass = groups[range.group].kernel.constants.mass;
+    for (std::size_t i = 0; i < range.count; ++i) {
+      mass_.data()[range.first_slot + i] = mass.at<Real>(range.first_row + i);
+    }
+  }
+  for (int c = 0; !alone_ && c < 3; ++c) {
+    position_[c] = AlignedArray<Real>(slots);
+    if (reads_velocity_) velocity_[c] = AlignedArray<Real>(slots);
+    force_[c] = AlignedArray<Real>(slots);
+  }
 }
-
-void copy(const Real* from, const SlotRange& range, const AlignedArray<Real>& to) {
-  std::copy_n(from + range.first_row, range.count, to.data() + range.first_slot);
-}
-
-}  // namespace
 
 bool PairSystem::acts_on(std::size_t group) const {
   return std::any_of(ranges.begin(), ranges.end(), [&](const SlotRange& range) { return range.group == group; });
 }
 
-/// columns(group): the state columns to read.
-template <class Columns>
-void PairSystem::read(const std::vector<Group>& groups, Workers& workers, Columns columns) {
-  for_ranges(ranges, workers, [&](const SlotRange& range) {
-    const StateColumns& state = columns(groups[range.group]);
-    for (int c = 0; c < 3; ++c) {
-      copy(state.position[c], range, bodies.position[c]);
-      copy(state.velocity[c], range, bodies.velocity[c]);
-    }
-  });
+template <class Act>
+void PairSystem::for_ranges(const CopyRange& range, Workers& workers, Act act) const {
+  const std::size_t of_copy = ranges.size() / copies_, first = range.first * of_copy;
+  const std::size_t count = (range.last - range.first) * of_copy;
+  workers.for_each(
+      count, [&](std::size_t r) { act(ranges[first + r]); }, count < 4 ? 1 : workers.threads());
 }
 
-void PairSystem::read_state(const std::vector<Group>& groups, Workers& workers) {
-  read(groups, workers, [](const Group& group) -> const StateColumns& { return group.kernel.state; });
+/// Bodies of several groups are gathered.
+PairBodies PairSystem::look(const std::vector<Group>& groups, StateColumns StepGroup::*columns, const CopyRange& range,
+                            Workers& workers) {
+  PairBodies bodies{.count = count_, .first_copy = range.first, .last_copy = range.last, .end = range.last * count_};
+  if (range.last == copies_) bodies.end = padded(bodies.end);
+  bodies.mass = mass_.data();
+  const auto gather = [](Real* const(&from)[3], const SlotRange& slots, const AlignedArray<Real>(&to)[3]) {
+    for (int c = 0; c < 3; ++c) std::copy_n(from[c] + slots.first_row, slots.count, to[c].data() + slots.first_slot);
+  };
+  if (!alone_) {
+    for_ranges(range, workers, [&](const SlotRange& slots) {
+      const StateColumns& state = groups[slots.group].kernel.*columns;
+      gather(state.position, slots, position_);
+      if (reads_velocity_) gather(state.velocity, slots, velocity_);
+      for (int c = 0; c < 3; ++c) std::fill_n(force_[c].data() + slots.first_slot, slots.count, Real(0));
+    });
+  }
+  const Group& group = groups[ranges.front().group];
+  const StateColumns& state = group.kernel.*columns;
+  for (int c = 0; c < 3; ++c) {
+    bodies.position[c] = alone_ ? state.position[c] : position_[c].data();
+    bodies.velocity[c] = alone_ ? state.velocity[c] : velocity_[c].data();
+    bodies.force[c] = alone_ ? group.force_sums[c] : force_[c].data();
+  }
+  return bodies;
 }
 
-void PairSystem::add_forces(const std::vector<Group>& groups, Workers& workers) {
-  read(groups, workers, [](const Group& group) -> const StateColumns& { return group.kernel.trial; });
-  effect->find_forces(bodies, workers);
-  for_ranges(ranges, workers, [&](const SlotRange& range) {
+PairBodies PairSystem::in_state(const std::vector<Group>& groups, Workers& workers) {
+  return look(groups, &StepGroup::state, {0, copies_}, workers);
+}
+
+void PairSystem::add_forces(const std::vector<Group>& groups, const CopyRange& range, Workers& workers) {
+  effect->add_forces(look(groups, &StepGroup::trial, range, workers), workers);
+  if (alone_) return;
+  for_ranges(range, workers, [&](const SlotRange& slots) {
     for (int c = 0; c < 3; ++c) {
-      Real* sum = groups[range.group].force_sums[c] + range.first_row;
-      const Real* force = bodies.force[c].data() + range.first_slot;
-      for (std::size_t i = 0; i < range.count; ++i) sum[i] += force[i];
+      Real* sum = groups[slots.group].force_sums[c] + slots.first_row;
+      const Real* force = force_[c].data() + slots.first_slot;
+      for (std::size_t i = 0; i < slots.count; ++i) sum[i] += force[i];
     }
   });
 }
 
 double PairSystem::energy(const std::vector<Group>& groups, Workers& workers) {
-  read_state(groups, workers);
-  return effect->energy(bodies, workers);
+  return effect->energy(in_state(groups, workers), workers);
 }
 
 void PairSystem::explain(const std::vector<Group>& groups, int calls, Explanation& all) const {
   const PairCost cost = effect->cost();
-  constexpr double gathered = 2 * 6 * sizeof(Real), scattered = 3 * 3 * sizeof(Real);
+  const double reads = reads_velocity_ ? 6 : 3, gathered = alone_ ? reads : 2 * reads + 3, scattered = alone_ ? 6 : 9;
+  std::vector<std::string> columns{"trial_position", "mass", "force"};
+  if (reads_velocity_) columns.insert(columns.begin() + 1, "trial_velocity");
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (!acts_on(g)) continue;
     all.passes.push_back({name(),
                           groups[g].name,
-                          {"trial_position", "trial_velocity", "mass", "force"},
+                          columns,
                           {"force"},
-                          gathered + scattered + cost.bytes,
+                          (gathered + scattered) * sizeof(Real) + cost.bytes,
                           cost.flops,
                           calls,
                           "forces between bodies, by id"});

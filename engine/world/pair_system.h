@@ -1,8 +1,9 @@
-// One effect between bodies in a world: state columns to slots, forces back into the sums of the groups.
+// One effect between bodies in a world: where it finds its bodies by slot, and where their forces go.
 #pragma once
 
+#include "engine/core/aligned_array.h"
 #include "engine/effects/pair_effects.h"
-#include "engine/kernels/body.h"
+#include "engine/world/kernel_table.h"
 #include "engine/world/slots.h"
 
 namespace ballpark {
@@ -11,25 +12,40 @@ struct Explanation;
 
 namespace ballpark::BALLPARK_PRECISION {
 
+/// Copies [first, last) of a scene.
+struct CopyRange {
+  std::size_t first = 0, last = 1;
+};
+
 class PairSystem {
  public:
-  const PairEffectInfo* info = nullptr;
+  PairSystem(const PairEffectInfo& effect_info, const std::vector<Group>& groups, std::vector<std::size_t> chosen,
+             std::size_t copies);
+
+  const PairEffectInfo* info;
   std::unique_ptr<PairEffect> effect;
   std::vector<SlotRange> ranges;
-  PairBodies bodies;
 
   const char* name() const { return info->description.name.c_str(); }
   bool acts_on(std::size_t group) const;
-  /// The state itself, from the state columns.
-  void read_state(const std::vector<Group>& groups, Workers& workers);
-  /// Adds the forces in the trial state to the sums of the groups.
-  void add_forces(const std::vector<Group>& groups, Workers& workers);
+  /// All bodies in the state itself.
+  PairBodies in_state(const std::vector<Group>& groups, Workers& workers);
+  /// Adds the forces in the trial state of these copies to the sums of the groups.
+  void add_forces(const std::vector<Group>& groups, const CopyRange& range, Workers& workers);
   double energy(const std::vector<Group>& groups, Workers& workers);
   void explain(const std::vector<Group>& groups, int calls, Explanation& all) const;
 
  private:
-  template <class Columns>
-  void read(const std::vector<Group>& groups, Workers& workers, Columns columns);
+  PairBodies look(const std::vector<Group>& groups, StateColumns StepGroup::*columns, const CopyRange& range,
+                  Workers& workers);
+  /// Calls act(range of slots) for all of these copies.
+  template <class Act>
+  void for_ranges(const CopyRange& range, Workers& workers, Act act) const;
+
+  std::size_t count_ = 0, copies_ = 1;  ///< bodies of a copy
+  bool alone_;                          ///< one group has them all: its rows are the slots
+  bool reads_velocity_;
+  AlignedArray<Real> mass_, position_[3], velocity_[3], force_[3];  ///< by slot; only masses if `alone_`
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

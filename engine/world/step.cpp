@@ -1,4 +1,4 @@
-// The step. Local bodies: one fused pass; else, for each phase of the integrator, prepare, user effects, evaluate.
+// The step. Local bodies: one fused pass; else, for each phase of the integrator, passes (staged.cpp).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,23 +12,24 @@ namespace {
 /// Events this close to a step's ends, in steps, are taken to be on them.
 constexpr double on_the_step = 1e-9;
 
-template <class R>
-void run_user(const UserEffect& effect, const BodyBlock<R>& block) {
-  if constexpr (std::is_same_v<R, float>) effect.run_single(block);
-  if constexpr (std::is_same_v<R, double>) effect.run_double(block);  // extended precision refuses user effects
-}
-
 }  // namespace
 
 void World::step(std::uint64_t n) {
-  for (std::uint64_t i = 0; i < n; ++i) adaptive_ ? adaptive_step(std::numeric_limits<double>::infinity()) : one_step();
+  run(n, std::numeric_limits<double>::infinity());
 }
 
 void World::advance_to(double t, std::uint64_t most_steps) {
-  for (std::uint64_t i = 0; adaptive_ && i < most_steps && time() < t && !stuck_; ++i) adaptive_step(t);
-  if (adaptive_) return;
+  if (adaptive_) return run(most_steps, t);
   const double steps = std::floor(t / step_ + on_the_step), done = static_cast<double>(counters_.steps);
   if (steps > done) step(std::min(most_steps, static_cast<std::uint64_t>(steps - done)));
+}
+
+void World::run(std::uint64_t most_steps, double until) {
+  std::optional<FlushDenormals> flush;  // once for all steps; contacts flush in their passes alone
+  if (!contacts_) flush.emplace();
+  for (std::uint64_t i = 0; i < most_steps && time() < until && !stuck_; ++i) {
+    adaptive_ ? adaptive_step(until) : one_step();
+  }
 }
 
 /// begin -> events of this step, each at its time -> smooth motion in between -> finish
@@ -73,7 +74,7 @@ void World::advance(double from, double h) {
 
 Moved World::smooth_motion(const Method& method, double from) {
   counters_.force_evaluations += static_cast<std::uint64_t>(method.phases - method.first_known);
-  return fused_ ? fused_pass(method) : staged_passes(method, from);
+  return fused_ ? fused_pass(method) : staged_step(method, from);
 }
 
 /// contacts found -> for each substep: smooth motion as a trial -> impacts reflected -> solve -> relax
@@ -107,9 +108,10 @@ void World::activate_windows(double from, double h) {
   const double middle = from + h / 2;
   for (Group& group : groups_) {
     for (std::size_t e = 0; e < group.effects.size(); ++e) {
+      std::vector<std::byte>& instances = group.effects[e];
+      if (instances.empty()) continue;
       const EffectInfo& info = local_effects()[e];
       if (!info.window) continue;
-      std::vector<std::byte>& instances = group.effects[e];
       for (std::size_t at = 0; at < instances.size(); at += info.constants_size) {
         Window& window = *info.window(instances.data() + at);
         window.active = window.at <= middle && middle < window.until;
@@ -122,49 +124,10 @@ const FamilyKernels& World::kernels_of(const Group& group, const Method& method)
   return kernels_->family(method.family, group.kernel.carry != nullptr);
 }
 
-/// One sweep that moves all bodies by move(group, block); what it tells, of all blocks.
-template <class Move>
-Moved World::moving_pass(const char* name, Move move) {
-  pass(name, [&](const Group& group, const Block& block) {
-    moved_[static_cast<std::size_t>(&block - blocks_.data())] = move(group, block);
-  });
-  Moved all;
-  for (const Moved& part : moved_) {
-    all.finite = all.finite && part.finite;
-    all.over = std::max(all.over, part.over);
-  }
-  return all;
-}
-
 Moved World::fused_pass(const Method& method) {
-  return moving_pass("fused_step", [&](const Group& group, const Block& block) {
+  return moving_pass(whole_, "fused_step", [&](const Group& group, const Block& block) {
     FusedStep* kernel = kernels_of(group, method).fused[static_cast<int>(group.motion)];
     return kernel(group.kernel, method, block.first, block.last);
-  });
-}
-
-Moved World::staged_passes(const Method& method, double from) {
-  if (penalty_) timed("keep_neighbours", [&] { penalty_->begin(groups_, from, method.step, workers_); });
-  for (int phase = method.first_known ? 1 : 0; phase < method.phases; ++phase) staged_phase(method, phase, from);
-  const Moved moved = moving_pass("finish", [&](const Group& group, const Block& block) {
-    Finish* finish = kernels_of(group, method).finish[static_cast<int>(group.motion)];
-    return finish(group.kernel, method, block.first, block.last);
-  });
-  if (penalty_) {
-    timed("finish_contacts", [&] { penalty_->finish(groups_, method, workers_); });
-    if (!adaptive_) watch_contact_stiffness();
-  }
-  return moved;
-}
-
-void World::staged_phase(const Method& method, int phase, double from) {
-  pass("prepare", [&](const Group& group, const Block& block) {
-    Prepare* prepare = kernels_of(group, method).prepare[static_cast<int>(group.motion)];
-    prepare(group.kernel, method, phase, block.first, block.last);
-  });
-  sum_forces(method, phase, from + method.offset[phase]);
-  pass("evaluate", [&](const Group& group, const Block& block) {
-    kernels_->evaluate[static_cast<int>(group.motion)](group.kernel, phase, block.first, block.last);
   });
 }
 
@@ -176,49 +139,6 @@ void World::watch_contact_stiffness() {
   if (spring <= 1.001 * watched_stiffness_.spring && damping <= 1.001 * watched_stiffness_.damping) return;
   watched_stiffness_ = {std::max(spring, watched_stiffness_.spring), std::max(damping, watched_stiffness_.damping)};
   judge_contacts(watched_stiffness_);
-}
-
-/// Sums of force and torque from user effects, effects between bodies and contacts, for the evaluation that follows.
-void World::sum_forces(const Method& method, int phase, double time) {
-  if (!users_.empty()) {
-    pass("user_effects", [&](const Group& group, const Block& block) {
-      if (!group.users.empty()) run_users(group, block, time);
-    });
-  }
-  if (pair_systems_.empty() && !penalty_) return;
-  pass("clear_sums", [&](const Group& group, const Block& block) {
-    if (!group.users.empty()) return;  // cleared before their effects ran
-    for (const auto* sums : {&group.force_sums, &group.torque_sums}) {
-      for (Real* sum : *sums) {
-        if (sum) std::fill(sum + block.first, sum + block.last, Real(0));
-      }
-    }
-  });
-  for (PairSystem& system : pair_systems_) timed(system.name(), [&] { system.add_forces(groups_, workers_); });
-  if (penalty_) timed("press_contacts", [&] { penalty_->add_forces(groups_, method, phase, time, workers_); });
-}
-
-void World::run_users(const Group& group, const Block& block, double time) {
-  const StepGroup& k = group.kernel;
-  const std::size_t rows = block.last - block.first;
-  BodyBlock<Real> view;
-  view.count = std::min(block.last, group.live) - block.first;
-  view.time = time;
-  view.mass = k.constants.mass.rows + block.first;
-  for (int c = 0; c < 3; ++c) {
-    view.position[c] = k.trial.position[c] + block.first;
-    view.velocity[c] = k.trial.velocity[c] + block.first;
-    view.force[c] = group.force_sums[c] + block.first;
-    std::fill_n(view.force[c], rows, Real(0));
-    if (!k.trial_spin[0]) continue;
-    view.angular_velocity[c] = k.trial_spin[c] + block.first;
-    view.torque[c] = group.torque_sums[c] + block.first;
-    std::fill_n(view.torque[c], rows, Real(0));
-  }
-  if (k.trial.orientation[0]) {
-    for (int c = 0; c < 4; ++c) view.orientation[c] = k.trial.orientation[c] + block.first;
-  }
-  for (std::size_t user : group.users) run_user(users_[user], view);
 }
 
 /// The first body in the order of ids that is not finite. Only the first such step of a run is looked at.

@@ -70,11 +70,12 @@ void add(const Totals& part, Totals& sum) {
 }  // namespace
 
 Totals World::totals() const {
-  std::vector<Totals> parts(blocks_.size());
-  workers_.for_each(blocks_.size(), [&](std::size_t b) {
-    const Group& group = groups_[blocks_[b].group];
+  const std::vector<Block>& blocks = whole_.blocks;
+  std::vector<Totals> parts(blocks.size());
+  workers_.for_each(blocks.size(), [&](std::size_t b) {
+    const Group& group = groups_[blocks[b].group];
     with_motion(group.carried, [&]<class M>() {
-      for (std::size_t row = blocks_[b].first; row < blocks_[b].last && row < group.live; ++row) {
+      for (std::size_t row = blocks[b].first; row < blocks[b].last; ++row) {
         add_body<M>(group, row, parts[b]);
       }
     });

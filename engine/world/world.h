@@ -1,6 +1,7 @@
 // A scene as columns and passes. build.cpp decides what exists, step.cpp moves it, the other files of this folder read.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "engine/core/clock.h"
+#include "engine/core/flush_denormals.h"
 #include "engine/core/workers.h"
 #include "engine/integrators/rows.h"
 #include "engine/integrators/step_control.h"
@@ -45,6 +47,7 @@ struct Group {
   std::vector<Real*> rates;         ///< staged path, and rates kept between steps: what kernel.rates points to
   std::vector<Real*> rate_columns;  ///< where they are in memory: sets as at the start, see World::arrange_rates
   std::vector<Real*> carry;         ///< compensated summation: what kernel.carry points to
+  std::vector<Real*> carry_before;  ///< adaptive: as it was when the step began
 
   bool turns() const { return carried >= MotionKind::oriented; }
   bool spins() const { return carried != MotionKind::point; }
@@ -54,7 +57,17 @@ struct Group {
 };
 
 struct Block {
-  std::size_t group = 0, first = 0, last = 0;  ///< rows of the group, the padding included
+  std::size_t group = 0, first = 0, last = 0;  ///< rows of the group
+};
+
+/// Bodies that no others act on: some whole copies of the scene.
+struct Part {
+  CopyRange copies;
+  bool alone = false;  ///< on one thread: passes of few bodies gain nothing from another one
+  std::vector<Block> blocks;
+  std::vector<Moved> moved;  ///< of each block
+
+  void add(std::size_t group, std::size_t first, std::size_t last);  ///< rows, as blocks
 };
 
 /// Time as a sum of steps, with what rounding takes from it (Knuth's two-sum).
@@ -112,6 +125,7 @@ class World : public WorldInterface {
   };
 
   // step.cpp
+  void run(std::uint64_t most_steps, double until);
   void one_step();
   void advance(double from, double h);
   void take_effect(const Event& event);
@@ -125,24 +139,28 @@ class World : public WorldInterface {
   void activate_windows(double from, double h);
   const FamilyKernels& kernels_of(const Group& group, const Method& method) const;
   Moved fused_pass(const Method& method);
-  Moved staged_passes(const Method& method, double from);
-  void staged_phase(const Method& method, int phase, double from);
-  template <class Move>
-  Moved moving_pass(const char* name, Move move);
-  void sum_forces(const Method& method, int phase, double time);
-  void run_users(const Group& group, const Block& block, double time);
   template <class Action>
   void timed(const char* name, Action action);
   template <class Task>
-  void pass(const char* name, Task task);
+  void pass(const Part& part, const char* name, Task task);
+  template <class Move>
+  Moved moving_pass(Part& part, const char* name, Move move);
   void record(const char* name, double seconds);
   void report_non_finite(const Moved& moved);
   void add_event(const Event& event);
+
+  // staged.cpp
+  Moved staged_step(const Method& method, double from);
+  Moved staged_passes(Part& part, const Method& method, double from);
+  void staged_phase(const Part& part, const Method& method, int phase, double from);
+  void sum_forces(const Part& part, const Method& method, int phase, double time);
+  void run_users(const Group& group, const Block& block, double time);
 
   // adaptive.cpp
   void adaptive_step(double limit);
   void due_events();
   void accept_try();
+  void keep_carries();
   void take_back();
   void get_stuck(bool finite);
   double first_step();
@@ -165,8 +183,10 @@ class World : public WorldInterface {
 
   Columns columns_;
   std::vector<Group> groups_;  ///< by row; those that carry more columns last
-  std::vector<Block> blocks_;
-  bool small_ = false;  ///< all bodies together are no more than a block: other threads would cost more than they bring
+  Part whole_;                 ///< all copies
+  std::vector<Moved> moved_;   ///< of each part
+  std::vector<Part> parts_;    ///< staged path: what goes through a step on its own; none: pass by pass, all bodies
+  Workers one_thread_{1};      ///< of a part among others
   std::vector<UserEffect> users_;
   mutable std::vector<PairSystem> pair_systems_;  ///< whose slots are scratch
   std::vector<std::string> narrowed_;
@@ -184,7 +204,6 @@ class World : public WorldInterface {
   Elapsed elapsed_;
   bool keeps_rates_ = false;               ///< adaptive: the last phase of a step serves as the first of the next
   bool stuck_ = false;                     ///< adaptive: no step is small enough
-  std::vector<Moved> moved_;               ///< of each block
   Method contact_method_;                  ///< of a substep between contacts
   std::unique_ptr<ContactStep> contacts_;  ///< none: bodies do not touch
   ImpulseStep* impulse_ = nullptr;         ///< contacts_, as what it is
@@ -212,14 +231,37 @@ void World::timed(const char* name, Action action) {
   if (profiling_) record(name, seconds_now() - begin);
 }
 
-/// One parallel sweep over all blocks, timed if asked for.
+/// One sweep over all blocks of the part, timed if asked for.
 template <class Task>
-void World::pass(const char* name, Task task) {
+void World::pass(const Part& part, const char* name, Task task) {
   const auto run = [&](std::size_t b) {
-    const Block& block = blocks_[b];
+    const Block& block = part.blocks[b];
     task(groups_[block.group], block);
   };
-  timed(name, [&] { workers_.for_each(blocks_.size(), run, small_ ? 1 : threads()); });
+  timed(name, [&] {
+    if (!part.alone) return workers_.for_each(part.blocks.size(), run);
+    const FlushDenormals flush;
+    for (std::size_t b = 0; b < part.blocks.size(); ++b) run(b);
+  });
+}
+
+/// What the parts of a sweep tell, together.
+inline Moved all_of(const std::vector<Moved>& parts) {
+  Moved all;
+  for (const Moved& part : parts) {
+    all.finite = all.finite && part.finite;
+    all.over = std::max(all.over, part.over);
+  }
+  return all;
+}
+
+/// A sweep that moves the bodies by move(group, block).
+template <class Move>
+Moved World::moving_pass(Part& part, const char* name, Move move) {
+  pass(part, name, [&](const Group& group, const Block& block) {
+    part.moved[static_cast<std::size_t>(&block - part.blocks.data())] = move(group, block);
+  });
+  return all_of(part.moved);
 }
 
 /// Calls f with the motion's type, as `f.template operator()<M>()`.

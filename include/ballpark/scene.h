@@ -132,8 +132,9 @@ struct ContactSettings {
 };
 
 struct RunSettings {
-  double duration = 0;  ///< [s], >= 0
-  double step = 0;      ///< [s], > 0; or a tolerance, and no step
+  double duration = 0;          ///< [s], >= 0
+  double step = 0;              ///< [s], > 0; or a tolerance, and no step
+  bool automatic_step = false;  ///< and no step: see automatic_step() in world.h
   /// Of an embedded pair: error of a step over the size of each body's position, velocity, spin and orientation
   double tolerance = 0;
   double absolute_tolerance = 0;   ///< beside which, where those are small [m, m/s, rad/s, rad]; 0: as `tolerance`

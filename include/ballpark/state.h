@@ -22,7 +22,7 @@ struct BodyState {
 };
 
 /// A column read in place: component c of the body in row r is `view[c][r - first_row]`. Valid until the next step.
-/// It ends with the last body. Between groups there may be rows of no body, which repeat the one before them.
+/// It ends with the last body. Between groups there may be rows of no body, whose values mean nothing.
 template <class Real>
 struct View {
   std::size_t first_row = 0;

@@ -23,6 +23,11 @@ namespace ballpark {
 
 class WorldInterface;
 
+/// A tenth of the largest step at which the scene's springs, dampers and penalty contacts are stable under its
+/// integrator, shortened so that whole steps fill the duration [s]. Throws SceneError if nothing limits the step, or no
+/// step is stable.
+double automatic_step(const Scene& scene);
+
 class World {
  public:
   /// Builds columns and passes. Throws SceneError with every problem of the scene, before anything is allocated.

@@ -55,4 +55,8 @@ std::optional<ExactMotion> exact_motion(const LoneBody& body) {
   return std::nullopt;
 }
 
+std::optional<ExactMotion> exact_motion(const TouchingBodies& all, std::size_t id) {
+  return bouncing_ball(all, id);
+}
+
 }  // namespace ballpark::cost

@@ -12,8 +12,8 @@
 
 namespace ballpark::cost {
 
-/// A body and all that acts on it, as a closed form sees it. Nothing else acts: no contacts, kicks, windows or other
-/// bodies.
+/// A body and all that acts on it, as a closed form sees it. Nothing else acts: no kicks, windows or other bodies, and
+/// contacts only on `TouchingBodies`.
 struct LoneBody {
   const BodyGroup& group;
   std::size_t index = 0;               ///< in the group
@@ -45,6 +45,19 @@ ClosedForm ballistic, vertical_drag, oscillator, kepler, pendulum, torque_free, 
 
 /// The first form that fits.
 std::optional<ExactMotion> exact_motion(const LoneBody& body);
+
+/// All bodies of a scene with contacts, by id.
+struct TouchingBodies {
+  const Scene& scene;
+  std::vector<LoneBody> bodies;
+};
+
+/// nullopt if the form is not this body's.
+using ContactForm = std::optional<ExactMotion>(const TouchingBodies&, std::size_t id);
+ContactForm bouncing_ball;
+
+/// The first form that fits.
+std::optional<ExactMotion> exact_motion(const TouchingBodies& all, std::size_t id);
 
 /// A parameter of an effect, or the catalogue's default. Not a number if it has neither, which a checked scene
 /// excludes.

@@ -94,7 +94,6 @@ constexpr double loose = 1e-16, tight = 1e-18;
 
 std::optional<ReferenceTrack> by_extrapolation(Scene scene, const Samples& samples, const Options& options,
                                                const GoOn& go_on) {
-  scene.run.compensated = false;
   scene.run.absolute_tolerance = 0;
   const Setting coarse{extrapolation, 0, loose, Precision::extended},
       fine{extrapolation, 0, tight, Precision::extended};

@@ -107,7 +107,10 @@ Point measured_point(const Ground& ground, const Setting& setting, const GoOn& g
   }
   point.error = ground.error_of(point.errors);
   point.claimed = point.error >= ground.about.floor;
-  if (point.trouble.empty() && !std::isfinite(point.error)) point.trouble = "its error is not finite";
+  const double scale = ground.about.reference.scale[static_cast<std::size_t>(ground.measure.quantity)];
+  if (point.trouble.empty() && !(point.error <= std::max(scale, ground.about.floor))) {
+    point.trouble = "it ends nowhere: its error is as large as the path";
+  }
   return point;
 }
 

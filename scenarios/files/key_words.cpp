@@ -122,7 +122,7 @@ std::string expected(const Key& key) {
     case KeyType::wholes:
       return "a whole number >= 0, or a list of them";
     case KeyType::number:
-      return "a number" + suffix;
+      return "a number" + suffix + (key.choices.empty() ? "" : ", or " + quoted_list(key.choices));
     case KeyType::numbers:
       return "a number" + suffix + ", or a list with one for each body";
     case KeyType::numbers_of_pairs:

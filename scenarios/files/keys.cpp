@@ -48,7 +48,16 @@ Rows top_rows() {
 Rows run_rows() {
   return {
       Row("duration", number, "s", into(&RunSettings::duration), "Simulated time.").in(not_negative).must(),
-      Row("step", number, "s", into(&RunSettings::step), "Length of one step; or give a tolerance.").in(positive),
+      Row(
+          "step", number, "s",
+          [](const Owner& owner, const Parsed& value) {
+            RunSettings& run = *std::get<RunSettings*>(owner);
+            run.automatic_step = std::holds_alternative<std::string>(value);
+            if (!run.automatic_step) run.step = std::get<double>(value);
+          },
+          "Length of one step; or give a tolerance. auto: a tenth of the largest stable one.")
+          .in(positive)
+          .one_of({"auto"}),
       Row("tolerance", number, "", into(&RunSettings::tolerance),
           "Error of a step over the size of what it moves, instead of a step: for integrators with an estimate of it.")
           .in(positive),

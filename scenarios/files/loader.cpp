@@ -89,6 +89,17 @@ void add_new(const std::vector<Problem>& problems, Findings& findings) {
   for (const Problem& problem : news) findings.add(problem);
 }
 
+/// step = "auto" as a number.
+void find_step(Scene& scene, Findings& findings) {
+  if (!scene.run.automatic_step) return;
+  try {
+    scene.run.step = automatic_step(scene);
+    scene.run.automatic_step = false;
+  } catch (const SceneError& error) {
+    add_new(error.problems(), findings);
+  }
+}
+
 }  // namespace
 
 BodyGroup rows_from_file(const std::filesystem::path& path) {
@@ -110,6 +121,8 @@ SceneFile parse(const std::string& text, const std::string& name, const std::vec
   if (file.scene.name.empty()) file.scene.name = std::filesystem::path(name).stem().string();
   add_new(check(file.scene), findings);
   add_new(check_requests(file), findings);
+  findings.fail_if_any();
+  find_step(file.scene, findings);
   findings.fail_if_any();
   file.path = name;
   file.locations = findings.locations();

@@ -61,7 +61,7 @@ Json value_schema(const Key& key) {
     case KeyType::wholes:
       return one_or_list_of(whole);
     case KeyType::number:
-      return number_schema(key);
+      return key.choices.empty() ? number_schema(key) : Json{{"anyOf", {number_schema(key), {{"enum", key.choices}}}}};
     case KeyType::numbers:
     case KeyType::numbers_of_pairs:
       return one_or_list_of(number_schema(key));

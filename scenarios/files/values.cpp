@@ -124,6 +124,7 @@ Parsed parsed(const Key& key, const Node& node) {
     case KeyType::wholes:
       return one_or_list_of(node, whole_of, is_array(node));
     case KeyType::number:
+      if (!key.choices.empty() && std::holds_alternative<std::string>(node.value)) return word_of(node, key);
       return number_of(node);
     case KeyType::numbers:
     case KeyType::numbers_of_pairs:

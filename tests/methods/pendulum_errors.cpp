@@ -124,6 +124,10 @@ TEST_CASE("pendulum equation as a user effect: the errors of a loop over two num
     for (const int n : {125, 250}) {
       const double measured = error_at_10(row.name, n), expected = plain_error_at_10(row, n);
       INFO(row.name << ", n = " << n << ": " << measured << " against " << expected);
+      if (expected < 1e-14) {  // of double's rounding
+        CHECK(measured < 1e-13);
+        continue;
+      }
       CHECK(std::abs(measured / expected - 1) < (expected < 1e-11 ? 0.1 : 1e-3));  // rounding shows
     }
   }

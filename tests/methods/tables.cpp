@@ -255,8 +255,7 @@ TEST_CASE("stability limits are those of the methods' polynomials", "[methods]")
       {"dormand_prince5", {3.306567892634947, dormand_prince_limit()}},
       {"tsitouras5", {decay_limit("tsitouras5"), swing_limit_of_stages("tsitouras5")}},
       {"dormand_prince8", {decay_limit("dormand_prince8"), swing_limit_of_stages("dormand_prince8")}},
-      {"gragg_bulirsch_stoer10",
-       {decay_limit("gragg_bulirsch_stoer10"), swing_limit_of_stages("gragg_bulirsch_stoer10")}},
+      {"gragg_bulirsch_stoer10", {decay_limit("gragg_bulirsch_stoer10"), 0}},
       {"ab2", {1, 0}},
       {"ab3", {6.0 / 11, 0.7236}},
       {"ab4", {0.3, 0.4300}},
@@ -274,8 +273,7 @@ TEST_CASE("stability limits are those of the methods' polynomials", "[methods]")
     REQUIRE(limits.count(row.name) == 1);
     CHECK(std::abs(row.real_limit - limits.at(row.name).real) < 1e-6);
     const bool read_off = row.name == "ab3" || row.name == "ab4";  // the source prints four digits
-    const bool faint = row.order == 10;  // |R(iz)| leaves 1 as z^12: where, is a matter of rounding
-    CHECK(std::abs(row.imaginary_limit - limits.at(row.name).imaginary) < (faint ? 0.02 : read_off ? 5e-5 : 1e-6));
+    CHECK(std::abs(row.imaginary_limit - limits.at(row.name).imaginary) < (read_off ? 5e-5 : 1e-6));
   }
 }
 

@@ -70,9 +70,10 @@ class UniformSpin {
   Vector<R> spin_;
 };
 
-/// Form<R> is made of the body, tells whether it fits (in this precision) and gives the state at a time.
-template <template <class> class Form>
-std::optional<ExactMotion> motion_of(std::string what, const LoneBody& body) {
+/// Form<R> is made of the body (and what it may touch), tells whether it fits (in this precision) and gives the state
+/// at a time.
+template <template <class> class Form, class Body>
+std::optional<ExactMotion> motion_of(std::string what, const Body& body) {
   const Form<double> in_double(body);
   const Form<long double> in_extended(body);
   if (!in_double.fits() || !in_extended.fits()) return std::nullopt;

@@ -71,10 +71,9 @@ TEST_CASE("Effect list: what an effect offers is found in its code", "[effects]"
 
 TEST_CASE("Effect list: effects between bodies have an energy, no force derivative, and stiffness if they say so",
           "[effects]") {
-  PairBodies two;
-  two.count = 2, two.stride = 32;
-  two.resize();
-  two.mass.data()[0] = two.mass.data()[1] = 1;
+  const Real mass[2] = {1, 1}, zero[2] = {};
+  PairBodies two{.count = 2, .end = 2, .mass = mass};
+  for (const Real*& column : two.position) column = zero;
   for (const PairEffectInfo& info : pair_effects()) {
     CAPTURE(info.description.name);
     REQUIRE(abilities.count(info.description.name) == 1);

@@ -144,7 +144,7 @@ TEST_CASE("Structure: each effect brings what its nature asks for, and nothing e
           Words{"force 3", "rates 24", "trial_position 3", "trial_velocity 3"});
     Words passes;
     for (const ballpark::PassReport& pass : all.passes) passes.push_back(pass.name);
-    CHECK(passes == Words{"prepare", "clear_sums", between, "evaluate", "finish"});
+    CHECK(passes == Words{"prepare", between, "evaluate", "finish"});
     CHECK(contains(bare.off, between));
     CHECK(contains(bare.off, "force sums"));
     CHECK_FALSE(contains(all.off, between));

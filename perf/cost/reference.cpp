@@ -52,9 +52,8 @@ const auto& row_of(const List& list, std::size_t index) {
   return list.size() == 1 ? list.front() : list[index];
 }
 
-/// The body of that id, with all that acts on it.
-LoneBody lone_body(const Scene& scene, const World& world, std::size_t id) {
-  const std::vector<GroupReport> counts = world.explain().groups;
+/// The body of that id, with all effects on it.
+LoneBody lone_body(const Scene& scene, const World& world, const std::vector<GroupReport>& counts, std::size_t id) {
   std::size_t index = id;
   for (const BodyGroup& group : scene.bodies) {
     const auto report = std::find_if(counts.begin(), counts.end(), [&](auto& g) { return g.name == group.name; });
@@ -77,6 +76,23 @@ LoneBody lone_body(const Scene& scene, const World& world, std::size_t id) {
     return body;
   }
   return LoneBody{.group = scene.bodies.front(), .index = 0, .effects = {}, .start = {}, .mass = 0, .inertia = {}};
+}
+
+/// One for each id, or none at all.
+std::vector<ExactMotion> exact_motions(const Scene& scene, const World& world, const std::vector<std::size_t>& ids) {
+  const std::vector<GroupReport> counts = world.explain().groups;
+  const bool touching = !scene.contact.kind.empty();
+  TouchingBodies all{scene, {}};
+  for (std::size_t id = 0; touching && id < world.body_count(); ++id) {
+    all.bodies.push_back(lone_body(scene, world, counts, id));
+  }
+  std::vector<ExactMotion> motions;
+  for (const std::size_t id : ids) {
+    auto motion = touching ? exact_motion(all, id) : exact_motion(lone_body(scene, world, counts, id));
+    if (!motion) return {};
+    motions.push_back(std::move(*motion));
+  }
+  return motions;
 }
 
 /// A run that is to be looked at: nullopt if it can't be built, was stopped, or ended badly.
@@ -129,25 +145,26 @@ Setting finest_setting(const Scene& scene) {
 }  // namespace
 
 std::optional<ReferenceTrack> closed_form(const Scene& scene, const Samples& samples, const Options& options) {
-  if (!scene.contact.kind.empty() || !scene.boundaries.empty() || !scene.impulses.empty()) return std::nullopt;
+  if (!scene.impulses.empty()) return std::nullopt;
   Scene start = scene;
   start.run.precision = Precision::double_;
   Options plain = options;
   plain.precision.reset();
   const World world(start, plain);
+  const std::vector<ExactMotion> motions = exact_motions(scene, world, samples.ids);
+  if (motions.empty()) return std::nullopt;
   ReferenceTrack reference{{"closed form", "", {}, {}}, Track(samples)};
   Track rounded(samples);
   for (std::size_t b = 0; b < samples.ids.size(); ++b) {
-    const LoneBody body = lone_body(scene, world, samples.ids[b]);
-    const std::optional<ExactMotion> motion = exact_motion(body);
-    if (!motion) return std::nullopt;
-    if (reference.about.what.find(motion->what) == std::string::npos) {
-      reference.about.what += (reference.about.what.empty() ? "" : "; ") + motion->what;
+    const ExactMotion& motion = motions[b];
+    const BodyState begin = world.body(samples.ids[b]);
+    if (reference.about.what.find(motion.what) == std::string::npos) {
+      reference.about.what += (reference.about.what.empty() ? "" : "; ") + motion.what;
     }
     for (std::size_t k = 0; k < samples.times.size(); ++k) {
       const std::size_t place = k * samples.ids.size() + b;
-      reference.track.states[place] = state_of(motion->in_extended(samples.times[k]), body.start);
-      rounded.states[place] = state_of(motion->in_double(samples.times[k]), body.start);
+      reference.track.states[place] = state_of(motion.in_extended(samples.times[k]), begin);
+      rounded.states[place] = state_of(motion.in_double(samples.times[k]), begin);
       reference.track.known[k] = rounded.known[k] = 1;
     }
   }

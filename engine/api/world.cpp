@@ -17,7 +17,7 @@ std::string lines(const std::vector<Problem>& problems) {
 
 std::unique_ptr<WorldInterface> make(Scene scene, const Options& options, std::vector<UserEffect> users) {
   scene.run.precision = options.precision.value_or(scene.run.precision);
-  if (scene.run.automatic_step) {
+  if (scene.run.automatic_step && scene.run.step == 0) {
     scene.run.step = automatic_step(scene);
     scene.run.automatic_step = false;
   }

@@ -28,8 +28,23 @@ namespace ballpark::BALLPARK_PRECISION {
 
 /// Linear response of a force to its body's motion, for the largest stable step.
 struct Stiffness {
-  double spring = 0;   ///< -dF/dx [N/m]
-  double damping = 0;  ///< -dF/dv [kg/s]
+  double spring = 0;    ///< -dF/dx [N/m]; negative: it pushes away
+  double damping = 0;   ///< -dF/dv along v [kg/s]
+  double gyration = 0;  ///< |dF/dv| across v: the force turns the velocity of a mass m at the rate gyration / m [kg/s]
+
+  bool any() const { return spring != 0 || damping != 0 || gyration != 0; }
+  /// Of forces that act together: a bound, as turns about different axes are taken for turns about one.
+  friend Stiffness operator+(const Stiffness& a, const Stiffness& b) {
+    return {a.spring + b.spring, a.damping + b.damping, a.gyration + b.gyration};
+  }
+  friend Stiffness operator/(const Stiffness& a, double mass) {
+    return {a.spring / mass, a.damping / mass, a.gyration / mass};
+  }
+  /// Of either.
+  friend Stiffness larger(const Stiffness& a, const Stiffness& b) {
+    const auto most = [](double x, double y) { return x > y ? x : y; };
+    return {most(a.spring, b.spring), most(a.damping, b.damping), most(a.gyration, b.gyration)};
+  }
 };
 
 /// When an effect acts: [at, until) in s. `active` is set for each step (or part of one) from its midpoint.
@@ -64,9 +79,12 @@ struct EffectInput {
   double largest_speed = 0;  ///< of the group's bodies at the start [m/s]
   /// Makes a per-body constant of the group from one row or one for each body.
   std::function<std::array<PerBody, 3>(const std::string& name, const std::vector<Vector3d>& rows)> per_body;
+  double least_mass = 0;  ///< of the group's bodies [kg]
 
   Real number(const std::string& name) const { return static_cast<Real>(exact(name)); }
   double exact(const std::string& name) const { return std::get<double>(parameters.at(name)); }
+  const Vector3d& exact_vector(const std::string& name) const { return std::get<Vector3d>(parameters.at(name)); }
+  const std::string& word(const std::string& name) const { return std::get<std::string>(parameters.at(name)); }
   const std::vector<double>& numbers(const std::string& name) const {
     return std::get<std::vector<double>>(parameters.at(name));
   }
@@ -74,7 +92,7 @@ struct EffectInput {
     return std::get<std::vector<IdPair>>(parameters.at(name));
   }
   Vector3<Real> vector(const std::string& name) const {
-    const Vector3d& v = std::get<Vector3d>(parameters.at(name));
+    const Vector3d& v = exact_vector(name);
     return {static_cast<Real>(v.x()), static_cast<Real>(v.y()), static_cast<Real>(v.z())};
   }
   void vectors(const std::string& name, PerBody (&out)[3]) const {

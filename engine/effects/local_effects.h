@@ -5,11 +5,14 @@
 #include "engine/effects/applied_force.h"
 #include "engine/effects/applied_torque.h"
 #include "engine/effects/central_gravity.h"
+#include "engine/effects/electric_field.h"
 #include "engine/effects/gravity.h"
 #include "engine/effects/linear_drag.h"
+#include "engine/effects/magnetic_field.h"
 #include "engine/effects/magnus.h"
 #include "engine/effects/pivot.h"
 #include "engine/effects/quadratic_drag.h"
+#include "engine/effects/rotating_frame.h"
 #include "engine/effects/spring.h"
 
 namespace ballpark::BALLPARK_PRECISION {
@@ -19,8 +22,8 @@ struct EffectList {
   static constexpr int count = sizeof...(E);
 };
 
-using LocalEffects =
-    EffectList<Gravity, LinearDrag, QuadraticDrag, Magnus, Spring, CentralGravity, AppliedForce, AppliedTorque>;
+using LocalEffects = EffectList<Gravity, LinearDrag, QuadraticDrag, Magnus, Spring, CentralGravity, ElectricField,
+                                MagneticField, RotatingFrame, AppliedForce, AppliedTorque>;
 
 /// One effect on a group: which of the list, and its Constants.
 struct EffectInstance {

@@ -28,6 +28,12 @@ const char* type_of(ParameterKind kind) {
   return "";
 }
 
+/// What a parameter may be, in words.
+std::string expected(const ParameterInfo& info) {
+  if (info.kind == ParameterKind::word) return fmt::format("one of \"{}\"", fmt::join(info.choices, "\", \""));
+  return fmt::format("{} [{}]", type_of(info.kind), info.unit);
+}
+
 bool has_type(const Value& value, ParameterKind kind) {
   switch (kind) {
     case ParameterKind::number:
@@ -83,11 +89,11 @@ struct EffectCheck {
     const std::string at = path(info.name);
     if (found == effect.parameters.end()) {
       if (info.fallback) return true;
-      problems.add(at, fmt::format("is missing, expected {} [{}]: {}", type_of(info.kind), info.unit, info.doc));
+      problems.add(at, fmt::format("is missing, expected {}: {}", expected(info), info.doc));
       return false;
     }
     if (!has_type(found->second, info.kind)) {
-      problems.add(at, fmt::format("expected {} [{}]", type_of(info.kind), info.unit));
+      problems.add(at, "expected " + expected(info));
       return false;
     }
     return check_value(info, found->second, at);
@@ -95,6 +101,9 @@ struct EffectCheck {
 
   bool check_value(const ParameterInfo& info, const Value& value, const std::string& at) {
     if (const auto* number = std::get_if<double>(&value)) return check_number(info, *number, at);
+    if (const auto* word = std::get_if<std::string>(&value)) {
+      return problems.known(at, info.name.c_str(), *word, info.choices);
+    }
     if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
       for (std::size_t i = 0; i < numbers->size(); ++i) {
         if (!check_number(info, (*numbers)[i], path_of(at, i, numbers->size()))) return false;

@@ -266,14 +266,11 @@ Explanation World::explain() const {
   if (!fused_) put_in_order(all.passes);
   if (impulse_) impulse_->explain(groups_, all);
   for (const auto& [name, per_mass] : stiffnesses_) {
-    const double largest = f64::step_limit(row_->name, step_, per_mass.spring, per_mass.damping).largest;
+    const double largest = limit_of(per_mass).largest;
     if (std::isfinite(largest)) all.step_limits.push_back({name, largest});
   }
   if (penalty_) {
-    const Stiffness others = beside_contacts();
-    all.contact.largest_step = f64::step_limit(row_->name, step_, watched_stiffness_.spring + others.spring,
-                                               watched_stiffness_.damping + others.damping)
-                                   .largest;
+    all.contact.largest_step = limit_of(watched_stiffness_ + beside_contacts()).largest;
   }
   for (const Column& column : columns_.all()) {
     const ColumnInfo& info = column.info;

@@ -15,6 +15,7 @@ std::vector<double> numbers_of(const Effect& effect) {
     if (const auto* rows = std::get_if<std::vector<Vector3d>>(&value)) {
       for (const Vector3d& row : *rows) numbers.insert(numbers.end(), row.data(), row.data() + 3);
     }
+    if (const auto* word = std::get_if<std::string>(&value)) numbers.insert(numbers.end(), word->begin(), word->end());
     if (const auto* list = std::get_if<std::vector<double>>(&value)) {
       numbers.insert(numbers.end(), list->begin(), list->end());
     }
@@ -169,6 +170,7 @@ void Builder::add_effects(Group& group) {
                              group.kernel.state.velocity[2][row]};
     speed = std::max(speed, static_cast<double>(dot(v, v)));
   }
+  const double mass = group.live > 0 ? lightest(group) : 0;
   Stiffness sum;
   for (const Effect& effect : sorted_effects(scene_, body)) {
     const int index = local_effect_index(effect.kind);
@@ -183,20 +185,15 @@ void Builder::add_effects(Group& group) {
       });
       return std::array<PerBody, 3>{out[0], out[1], out[2]};
     };
-    const EffectInput input{parameters, std::sqrt(speed), per_body};
+    const EffectInput input{parameters, std::sqrt(speed), per_body, mass};
     std::vector<std::byte>& instances = group.effects[static_cast<std::size_t>(index)];
     instances.resize(instances.size() + info.constants_size);
     info.pack(input, instances.data() + instances.size() - info.constants_size);
-    if (info.stiffness) {
-      const Stiffness part = info.stiffness(input);
-      sum.spring += part.spring;
-      sum.damping += part.damping;
-    }
+    if (info.stiffness) sum = sum + info.stiffness(input);
   }
   group.list_instances();
   if (group.live == 0 || group.motion == MotionKind::pivoted) return;
-  const double mass = lightest(group);
-  local_stiffness_.push_back({&group, {sum.spring / mass, sum.damping / mass}});
+  local_stiffness_.push_back({&group, sum / mass});
 }
 
 /// Compensated summation: a carry for each value that the motion integrates.

@@ -54,8 +54,8 @@ struct StepLimit {
   double growth = 1;
 };
 namespace f64 {
-/// For x'' = -k x - c v; measured in double, whatever the world's precision.
-StepLimit step_limit(std::string_view integrator, double h, double k, double c);
+/// For x'' = -k x - c v - g (n x v), n across x and v; measured in double, whatever the world's precision.
+StepLimit step_limit(std::string_view integrator, double h, double k, double c, double g);
 }  // namespace f64
 
 // Each precision of the engine offers these.

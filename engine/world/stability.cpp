@@ -1,8 +1,10 @@
 // The largest stable step, measured on the code itself: a method's own kernel moves a damped oscillator from two
-// independent starts, and the spectral radius of the resulting step matrix says whether it grows.
+// independent starts, and the spectral radius of the resulting step matrix says whether it grows. Where a force turns
+// the velocity, the oscillator moves in the plane across the axis, whose vectors are taken as complex numbers.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 #include "engine/core/nearest.h"
@@ -15,35 +17,45 @@ namespace {
 
 using Point = FreeMotion<Spin::none>;
 
-/// Forces of a damped oscillator, F = -k x - c v, as the families see them.
+using Number = std::complex<double>;
+
+/// Forces of a damped oscillator, F = -k x - c v - g z x v, as the families see them; along x + i y: -k x - (c + i g)
+/// v.
 struct OscillatorForces {
-  Real spring, damping;
+  Real spring, damping, gyration;
   static constexpr bool read_position = true;
   template <class V>
   Loads<V> loads(const Body<V>& b) const {
-    return {V(-spring) * b.position - V(damping) * b.velocity, {}};
+    return {V(-spring) * b.position - V(damping) * b.velocity - turned(b.velocity), {}};
   }
   template <class V>
   Loads<V> load_rates(const Body<V>& b, const Acceleration<V>& a) const {
-    return {V(-spring) * b.velocity - V(damping) * a.linear, {}};
+    return {V(-spring) * b.velocity - V(damping) * a.linear - turned(a.linear), {}};
+  }
+
+ private:
+  template <class V>
+  Vector3<V> turned(const Vector3<V>& v) const {
+    return {V(-gyration) * v.y, V(gyration) * v.x, V(Real(0))};
   }
 };
 
-/// The oscillator in units of the step: F = -spring x - damping v, h = 1, m = 1.
+/// The oscillator in units of the step: h = 1, m = 1.
 struct Oscillator {
   OscillatorForces forces;
   Point::Constants<Real> constants;
 
-  Oscillator(double spring, double damping) : forces{static_cast<Real>(spring), static_cast<Real>(damping)} {
+  Oscillator(double spring, double damping, double gyration)
+      : forces{static_cast<Real>(spring), static_cast<Real>(damping), static_cast<Real>(gyration)} {
     BodyConstants unit_mass;
     unit_mass.mass.value = 1;
     constants = Point::constants<Real>(unit_mass, 0);
   }
   /// (x, v) at n, n - 1, ...
-  using Past = std::array<std::array<Real, 2>, max_history + 1>;
+  using Past = std::array<std::array<Number, 2>, max_history + 1>;
 
   /// (x, v) at n + 1 by the method.
-  void step(const Method& m, const Past& past, double (&next)[2]) const {
+  void step(const Method& m, const Past& past, Number (&next)[2]) const {
     constexpr std::size_t sets = max_history + 3;
     std::array<Real, sets * Point::size> rates{};
     std::array<Real*, sets * Point::size> columns;
@@ -55,25 +67,29 @@ struct Oscillator {
     const ColumnRates<Point, Real> kept{columns.data(), 0};
     State<Point, Real> state = at(past[0]);
     with_family(m.family, [&]<class F>() { whole_step<F>(m, constants, forces, kept, state); });
-    next[0] = static_cast<double>(state.y[0]);
-    next[1] = static_cast<double>(state.y[3]);
+    next[0] = {static_cast<double>(state.y[0]), static_cast<double>(state.y[1])};
+    next[1] = {static_cast<double>(state.y[3]), static_cast<double>(state.y[4])};
   }
 
  private:
-  static State<Point, Real> at(const std::array<Real, 2>& xv) {
+  static State<Point, Real> at(const std::array<Number, 2>& xv) {
     State<Point, Real> state{};
-    state.y[0] = xv[0];
-    state.y[3] = xv[1];
+    for (std::size_t i = 0; i < 2; ++i) {
+      state.y[3 * i] = static_cast<Real>(xv[i].real());
+      state.y[3 * i + 1] = static_cast<Real>(xv[i].imag());
+    }
     return state;
   }
 };
 
-/// (x, v) of so many steps, and the matrix that takes them one step on.
+/// (x, v) of so many steps, and the matrix that takes them one step on: real if nothing turns, which is faster.
 constexpr std::size_t most_values = 2 * (max_history + 1);
-using Companion = std::array<double, most_values * most_values>;
+template <class T>
+using Companion = std::array<T, most_values * most_values>;
 
 /// Largest |eigenvalue| of an n x n matrix, from norms of the powers 2, 4, 8, ...: ||A^n||^(1/n).
-double spectral_radius(Companion a, std::size_t n) {
+template <class T>
+double spectral_radius(Companion<T> a, std::size_t n) {
   constexpr int squarings = 48;
   double logarithm = 0, weight = 1;
   for (int k = 0; k <= squarings; ++k, weight /= 2) {
@@ -81,10 +97,10 @@ double spectral_radius(Companion a, std::size_t n) {
     for (std::size_t i = 0; i < n * n; ++i) norm = std::max(norm, std::abs(a[i]));
     if (norm == 0) return 0;
     logarithm += weight * std::log(norm);
-    Companion square{};
+    Companion<T> square{};
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t l = 0; l < n; ++l) {
-        const double factor = a[i * n + l] / norm;
+        const T factor = a[i * n + l] / norm;
         for (std::size_t j = 0; j < n; ++j) square[i * n + j] += factor * (a[l * n + j] / norm);
       }
     }
@@ -94,43 +110,54 @@ double spectral_radius(Companion a, std::size_t n) {
 }
 
 /// Of a multistep method: of the matrix that takes (x, v) at n, n - 1, ... to those one step on.
+template <class T>
 double companion_radius(const Method& m, const Oscillator& oscillator, bool free) {
   const std::size_t steps = static_cast<std::size_t>(m.history) + 1, first = free ? 1 : 0, values = free ? 1 : 2;
   const std::size_t n = steps * values;  // a free position keeps an eigenvalue of 1: of v alone
-  Companion matrix{};
+  Companion<T> matrix{};
   for (std::size_t column = 0; column < n; ++column) {
     Oscillator::Past past{};
     past[column / values][first + column % values] = 1;
-    double next[2];
+    Number next[2];
     oscillator.step(m, past, next);
-    for (std::size_t v = 0; v < values; ++v) matrix[v * n + column] = next[first + v];
+    for (std::size_t v = 0; v < values; ++v) {
+      if constexpr (std::is_same_v<T, Number>) {
+        matrix[v * n + column] = next[first + v];
+      } else {
+        matrix[v * n + column] = next[first + v].real();
+      }
+    }
     if (column + values < n) matrix[(column + values) * n + column] = 1;
   }
   return spectral_radius(matrix, n);
 }
 
+/// Rounding in Real, for radii near 1.
+constexpr double tolerance = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+
 /// Largest |eigenvalue| of the step matrix in (x, v h): scaled so that entries are of one size.
-double spectral_radius(const Row& row, double spring_h2, double damping_h) {
+double spectral_radius(const Row& row, double spring_h2, double damping_h, double gyration_h) {
   const Method m = method_for(row, 1);
-  const Oscillator oscillator(spring_h2, damping_h);
-  if (m.history > 0) return companion_radius(m, oscillator, spring_h2 == 0);
-  double matrix[2][2];
+  const Oscillator oscillator(spring_h2, damping_h, gyration_h);
+  const bool free = spring_h2 == 0;  // its position keeps an eigenvalue of 1
+  if (m.history > 0 && gyration_h == 0) return companion_radius<double>(m, oscillator, free);
+  if (m.history > 0) return companion_radius<Number>(m, oscillator, free);
+  Number matrix[2][2];
   for (std::size_t column = 0; column < 2; ++column) {
     Oscillator::Past start{};
     start[0][column] = 1;
-    double next[2];
+    Number next[2];
     oscillator.step(m, start, next);
     for (std::size_t r = 0; r < 2; ++r) matrix[r][column] = next[r];
   }
-  const double half_trace = (matrix[0][0] + matrix[1][1]) / 2;
-  const double determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
-  const double square = half_trace * half_trace - determinant;
-  if (spring_h2 == 0) return std::abs(matrix[1][1]);  // a free position keeps an eigenvalue of 1
-  return square >= 0 ? std::abs(half_trace) + std::sqrt(square) : std::sqrt(determinant);
+  if (free) return std::abs(matrix[1][1]);
+  const Number half_trace = (matrix[0][0] + matrix[1][1]) / 2.0;
+  Number square = half_trace * half_trace - (matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0]);
+  // Two eigenvalues that rounding alone parts are one: the root would make much of it.
+  if (std::abs(square) <= tolerance * std::norm(half_trace)) square = 0;
+  const Number root = std::sqrt(square);
+  return std::max(std::abs(half_trace + root), std::abs(half_trace - root));
 }
-
-/// Rounding in Real, for radii near 1.
-constexpr double tolerance = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
 /// Growth so weak that it counts as none at small steps: a method of high order may grow at all of them.
 constexpr double faint = 1e-9;
@@ -139,7 +166,7 @@ constexpr double faint = 1e-9;
 template <class F>
 double boundary(F radius, double scale) {
   const double small = 0.05 * scale;
-  if (radius(small) > 1 + std::max(tolerance, faint)) return 0;
+  if (radius(small) > 1 + tolerance) return 0;
   double low = small, high = small;
   while (radius(high) <= 1 + tolerance) {
     low = high;
@@ -158,11 +185,14 @@ double boundary(F radius, double scale) {
 
 }  // namespace
 
-StepLimit step_limit(std::string_view integrator, double h, double k, double c) {
-  if (k == 0 && c == 0) return {std::numeric_limits<double>::infinity(), 1};
+/// What pushes away (a centrifugal force) and is held neither by turning nor against drag grows by itself, which is not
+/// the method's doing: of that force, as much counts as does not grow.
+StepLimit step_limit(std::string_view integrator, double h, double k, double c, double g) {
+  if (k == 0 && c == 0 && g == 0) return {std::numeric_limits<double>::infinity(), 1};
   const Row& row = *find_row(integrator);
-  const auto radius = [&](double step) { return spectral_radius(row, k * step * step, c * step); };
-  return {boundary(radius, 1 / std::max(std::sqrt(k), c)), radius(h)};
+  const double spring = std::max(k, c > 0 ? 0 : -g * g / 4);
+  const auto radius = [&](double step) { return spectral_radius(row, spring * step * step, c * step, g * step); };
+  return {boundary(radius, 1 / std::max({std::sqrt(std::abs(spring)), c, g})), radius(h)};
 }
 
 std::vector<IntegratorDescription> describe_integrators() {
@@ -170,8 +200,8 @@ std::vector<IntegratorDescription> describe_integrators() {
   for (const Row& row : rows()) {
     const int evaluations = row.phases;
     const bool blind = row.family == Family::splitting && row.order > 2;  // refuses forces that read velocity
-    const double real = blind ? 0 : boundary([&](double t) { return spectral_radius(row, 0, t); }, 1);
-    const double imaginary = boundary([&](double t) { return spectral_radius(row, t * t, 0); }, 1);
+    const double real = blind ? 0 : boundary([&](double t) { return spectral_radius(row, 0, t, 0); }, 1);
+    const double imaginary = boundary([&](double t) { return spectral_radius(row, t * t, 0, 0); }, 1);
     all.push_back({row.name, row.doc, row.source, name(row.family), row.order, evaluations, row.embeds(), row.history,
                    row.symplectic, real, imaginary});
   }
@@ -185,13 +215,13 @@ void Builder::check_stability() {
   std::string names;
   for (const PairSystem& system : world_.pair_systems_) {
     const Stiffness per_mass = system.effect->per_mass();
-    if (per_mass.spring == 0 && per_mass.damping == 0) continue;
+    if (!per_mass.any()) continue;
     Stiffness held;
     for (const auto& [group, local] : local_stiffness_) {
       if (!system.acts_on(static_cast<std::size_t>(group - world_.groups_.data()))) continue;
-      held = {std::max(held.spring, local.spring), std::max(held.damping, local.damping)};
+      held = larger(held, local);
     }
-    all = {all.spring + per_mass.spring + held.spring, all.damping + per_mass.damping + held.damping};
+    all = all + per_mass + held;
     names += (names.empty() ? "" : ", ") + std::string(system.name());
   }
   if (!names.empty()) check_stability(names, all);
@@ -212,7 +242,7 @@ void Builder::check_stability(const std::string& whose, const Stiffness& per_mas
   world_.stiffnesses_.emplace_back(whose, per_mass);
   if (world_.status_.code != Status::Code::ok) return;
   const double h = world_.step_;
-  const StepLimit limit = f64::step_limit(world_.row_->name, h, per_mass.spring, per_mass.damping);
+  const StepLimit limit = world_.limit_of(per_mass);
   const std::string group_and_method = world_.row_->name + std::string(" on ") + whose;
   if (limit.largest > 0 && h > limit.largest * (1 + 1e-6)) {
     world_.status_ = {Status::Code::stability, "a step of " + text(h) + " s exceeds " + text(limit.largest) +
@@ -231,18 +261,21 @@ void Builder::check_stability(const std::string& whose, const Stiffness& per_mas
 Stiffness World::beside_contacts() const {
   Stiffness most;
   for (const auto& [name, per_mass] : stiffnesses_) {
-    most = {std::max(most.spring, per_mass.spring), std::max(most.damping, per_mass.damping)};
+    most = larger(most, per_mass);
   }
   return most;
+}
+
+StepLimit World::limit_of(const Stiffness& per_mass) const {
+  return f64::step_limit(row_->name, step_, per_mass.spring, per_mass.damping, per_mass.gyration);
 }
 
 /// A contact swings for half a turn: what grows at every step is reported when that is more than a tenth of it.
 void World::judge_contacts(const Stiffness& of_contacts) {
   if (adaptive_) return;
-  const Stiffness others = beside_contacts();
-  const double spring = of_contacts.spring + others.spring, damping = of_contacts.damping + others.damping;
-  const StepLimit limit = f64::step_limit(row_->name, step_, spring, damping);
-  const double steps = 3.14159 / (std::sqrt(spring) * step_);
+  const Stiffness all = of_contacts + beside_contacts();
+  const StepLimit limit = limit_of(all);
+  const double steps = 3.14159 / (std::sqrt(all.spring) * step_);
   const bool exceeded = limit.largest > 0 && step_ > limit.largest * (1 + 1e-6);
   const bool grows = limit.largest == 0 && std::exp(std::log(limit.growth) * steps) > 1.1;
   if (!exceeded && !grows) return;

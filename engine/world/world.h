@@ -135,6 +135,7 @@ class World : public WorldInterface {
   // stability.cpp
   void judge_contacts(const Stiffness& of_contacts);
   Stiffness beside_contacts() const;
+  StepLimit limit_of(const Stiffness& per_mass) const;
   void activate_windows(double from, double h);
   const FamilyKernels& kernels_of(const Group& group, const Method& method) const;
   Moved fused_pass(const Method& method);

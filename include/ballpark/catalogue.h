@@ -21,6 +21,7 @@ struct ParameterInfo {
   std::optional<Value> fallback;                              ///< the default; none: must be given
   double minimum = -std::numeric_limits<double>::infinity();  ///< number and numbers only, inclusive
   double maximum = std::numeric_limits<double>::infinity();
+  std::vector<std::string> choices = {};  ///< word only: what it may be
   std::string doc;
 };
 

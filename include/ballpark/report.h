@@ -116,7 +116,7 @@ struct Explanation {
   double flops_per_body_step = 0;
   std::size_t column_bytes = 0;  ///< allocated in all [B]
   ContactReport contact;
-  std::vector<StepLimitReport> step_limits;  ///< of springs and dampers
+  std::vector<StepLimitReport> step_limits;  ///< of springs, dampers and what turns velocities
 };
 
 /// Time spent in one pass since profiling was switched on.

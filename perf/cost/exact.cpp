@@ -31,6 +31,12 @@ double number(const Effect& effect, const std::string& parameter) {
   return found ? *found : nothing;
 }
 
+std::string word(const Effect& effect, const std::string& parameter) {
+  const Value* value = find_value(effect, parameter);
+  const std::string* found = value ? std::get_if<std::string>(value) : nullptr;
+  return found ? *found : "";
+}
+
 Vector3d vector(const Effect& effect, const std::string& parameter, std::size_t index) {
   const Value* value = find_value(effect, parameter);
   if (const auto* one = value ? std::get_if<Vector3d>(value) : nullptr) return *one;
@@ -42,8 +48,8 @@ Vector3d vector(const Effect& effect, const std::string& parameter, std::size_t 
 }
 
 std::optional<ExactMotion> exact_motion(const LoneBody& body) {
-  for (ClosedForm* form :
-       {ballistic, vertical_drag, oscillator, kepler, pendulum, torque_free, symmetric_top, constant_spin_lift}) {
+  for (ClosedForm* form : {ballistic, vertical_drag, oscillator, kepler, pendulum, torque_free, symmetric_top,
+                           constant_spin_lift, charged_particle, foucault}) {
     if (std::optional<ExactMotion> motion = form(body)) return motion;
   }
   return std::nullopt;

@@ -40,7 +40,8 @@ struct ExactMotion {
 
 /// nullopt if the form is not this body's.
 using ClosedForm = std::optional<ExactMotion>(const LoneBody&);
-ClosedForm ballistic, vertical_drag, oscillator, kepler, pendulum, torque_free, symmetric_top, constant_spin_lift;
+ClosedForm ballistic, vertical_drag, oscillator, kepler, pendulum, torque_free, symmetric_top, constant_spin_lift,
+    charged_particle, foucault;
 
 /// The first form that fits.
 std::optional<ExactMotion> exact_motion(const LoneBody& body);
@@ -61,6 +62,8 @@ std::optional<ExactMotion> exact_motion(const TouchingBodies& all, std::size_t i
 /// A parameter of an effect, or the catalogue's default. Not a number if it has neither, which a checked scene
 /// excludes.
 double number(const Effect& effect, const std::string& parameter);
+/// Empty if it has neither.
+std::string word(const Effect& effect, const std::string& parameter);
 /// The row of body `index`, where it may be one for all or one for each.
 Vector3d vector(const Effect& effect, const std::string& parameter, std::size_t index = 0);
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -25,25 +25,38 @@ struct CommandLine {
   std::optional<std::string> json;  ///< file; empty: standard output
 };
 
+constexpr const char* usage =
+    "usage: orbits [WORD]... [--seconds S] [--check-bars] [--json [FILE]]\n"
+    "Measures Ballpark beside Boost.odeint on Kepler's orbit and the Pleiades: curves of error against wall time,\n"
+    "compared at equal error.\n"
+    "  WORD...        only cases with all of these in their names, as: Copies Kepler\n"
+    "  --seconds S    for each case, at least (and at least 9 rounds; default 1)\n"
+    "  --check-bars   exit with 1 if a ratio misses its bar\n"
+    "  --json [FILE]  JSON to FILE, or instead of the tables to standard output\n";
+
+/// The exit code, if there is nothing to run.
 std::optional<int> parse(int argc, char** argv, CommandLine& line) {
-  CLI::App app(
-      "Measures Ballpark beside Boost.odeint on Kepler's orbit and the Pleiades: curves of error against wall time,\n"
-      "compared at equal error. Exit code 1 if (--check-bars) a ratio misses its bar.");
-  app.add_option("words", line.words, "only cases with all of these in their names, as: Copies Kepler");
-  app.add_option("--seconds", line.seconds, "for each case, at least (and at least 9 rounds)")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_flag("--check-bars", line.check_bars, "exit with 1 if a ratio misses its bar");
-  std::string file;
-  CLI::Option* json = app.add_option("--json", file, "write JSON to FILE, or instead of the tables to standard output")
-                          ->expected(0, 1)
-                          ->type_name("[FILE]");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? done : bad_usage;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool followed = i + 1 < argc && argv[i + 1][0] != '-';
+    if (word == "--help") {
+      fmt::print("{}", usage);
+      return done;
+    }
+    if (word == "--check-bars") {
+      line.check_bars = true;
+    } else if (word == "--json") {
+      line.json = followed ? argv[++i] : "";
+    } else if (word == "--seconds" && followed) {
+      char* end = nullptr;
+      line.seconds = std::strtod(argv[++i], &end);
+      if (*end != '\0' || !(line.seconds >= 0)) return fmt::print(stderr, "{}", usage), bad_usage;
+    } else if (word[0] != '-') {
+      line.words.push_back(word);
+    } else {
+      return fmt::print(stderr, "{}", usage), bad_usage;
+    }
   }
-  if (json->count() > 0) line.json = file;
   return std::nullopt;
 }
 

@@ -60,6 +60,7 @@ Json to_json(const ParameterInfo& parameter) {
   if (parameter.fallback) object["default"] = std::visit(ValueJson{}, *parameter.fallback);
   if (std::isfinite(parameter.minimum)) object["minimum"] = parameter.minimum;
   if (std::isfinite(parameter.maximum)) object["maximum"] = parameter.maximum;
+  if (!parameter.choices.empty()) object["choices"] = parameter.choices;
   object["doc"] = parameter.doc;
   return object;
 }
@@ -79,7 +80,7 @@ Value plausible(const ParameterInfo& parameter) {
     case ParameterKind::word:
       break;
   }
-  return std::string();
+  return parameter.choices.front();
 }
 
 }  // namespace
@@ -118,13 +119,15 @@ std::string example(const EffectDescription& effect) {
   std::string text = fmt::format("[[effects]]\nkind = \"{}\"\n", effect.name);
   for (const ParameterInfo& parameter : effect.parameters) {
     const std::string value = toml(parameter.fallback ? *parameter.fallback : plausible(parameter));
-    text += fmt::format("{:<36}  # {}\n", parameter.name + " = " + value,
-                        (parameter.unit.empty() ? "" : parameter.unit) + (parameter.fallback ? " (default)" : ""));
+    const std::string what = parameter.unit.empty() ? range(parameter) : parameter.unit;
+    text +=
+        fmt::format("{:<36}  # {}\n", parameter.name + " = " + value, what + (parameter.fallback ? " (default)" : ""));
   }
   return text;
 }
 
 std::string range(const ParameterInfo& parameter) {
+  if (!parameter.choices.empty()) return fmt::format("\"{}\"", fmt::join(parameter.choices, "\" | \""));
   const bool below = std::isfinite(parameter.minimum), above = std::isfinite(parameter.maximum);
   if (below && above) return fmt::format("{} to {}", parameter.minimum, parameter.maximum);
   if (below) return fmt::format(">= {}", parameter.minimum);

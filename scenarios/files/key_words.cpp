@@ -24,7 +24,7 @@ KeyType type_of(ParameterKind kind) {
     case ParameterKind::word:
       break;
   }
-  return KeyType::text;
+  return KeyType::word;
 }
 
 /// As the scene's effects hold it: a lone row is a plain vector, equal for all bodies.
@@ -74,6 +74,7 @@ Row parameter_row(const std::string& effect, const ParameterInfo& parameter) {
   Row row(parameter.name, type_of(parameter.kind), parameter.unit, store, parameter.doc);
   row.of_effect(effect);
   const bool numbers = parameter.kind == ParameterKind::number || parameter.kind == ParameterKind::numbers;
+  row.one_of(parameter.choices);
   if (numbers) row.in({.minimum = parameter.minimum, .maximum = parameter.maximum});
   if (!parameter.fallback) return row.must();
   return row.otherwise(std::visit(AsToml{}, *parameter.fallback));

@@ -108,6 +108,7 @@ class RandomGroup {
     for (int i = 0; i < 2; ++i) {
       Constants c = random_constants<Constants>();
       if constexpr (requires { c.rows; }) c.rows.row = i == 0 ? -1 : 21;
+      if constexpr (requires { c.centrifugal; }) c.centrifugal = i == 0;
       if constexpr (requires { c.anchor; }) {
         for (PerBody& anchor : c.anchor) anchor.rows = add(&Numbers::plain);
         c.rest_length = i == 0 ? Real(0) : Real(0.5);
@@ -128,6 +129,8 @@ class RandomGroup {
     if constexpr (requires { c.strength; }) c.strength = numbers_.positive();
     if constexpr (requires { c.force; }) c.force = vector();
     if constexpr (requires { c.torque; }) c.torque = vector();
+    if constexpr (requires { c.field; }) c.field = vector();
+    if constexpr (requires { c.rate; }) c.rate = vector(), c.point = vector();
     return c;
   }
   Vector3<Real> vector() { return {numbers_.plain(), numbers_.plain(), numbers_.plain()}; }

@@ -71,6 +71,12 @@ TEST_CASE("Unrelated: the order in which effects of different kinds are listed",
   effects.push_back(effect("central_gravity", {{"strength", 2.0}}));
   effects.push_back(effect("force", {{"force", Vector3d(0.1, 0.7, 0.3)}, {"offset", Vector3d(0.1, 0, 0.2)}}));
   effects.push_back(effect("torque", {{"torque", Vector3d(0.1, 0.01, 0.3)}}));
+  effects.push_back(effect("magnetic_field", {{"charge", 0.7}, {"field", Vector3d(0.3, 0.1, -1)}}));
+  effects.push_back(effect("electric_field", {{"charge", 0.3}, {"field", Vector3d(0.3, 0.1, -1)}}));
+  for (const std::string centrifugal : {"off", "on"}) {
+    effects.push_back(
+        effect("rotating_frame", {{"angular_velocity", Vector3d(0.1, 0.3, 0.7)}, {"centrifugal", centrifugal}}));
+  }
   const std::uint64_t expected = stepped(scene_of({bricks("b", 9)}, effects)).state_hash();
   for (std::size_t turn = 1; turn < effects.size(); ++turn) {
     std::rotate(effects.begin(), effects.begin() + 1, effects.end());

@@ -239,7 +239,9 @@ TEST_CASE("order with every effect at once, on a rigid body that turns", "[metho
   stretched.parameters["rest_length"] = 0.75;
   softened.parameters["softening"] = 0.5;
   std::vector<Effect> effects = resisted_loads();
-  effects.insert(effects.end(), {stretched, softened, effect("magnus", 0.3)});
+  const Effect charged{"electric_field", {}, {{"charge", 0.5}, {"field", Vector3d(1, 0, -0.5)}}};
+  effects.insert(effects.end(), {stretched, softened, effect("magnus", 0.3), charged, magnetic_field(-0.5, {1, 0.5, 0}),
+                                 rotating_frame({0.1, -0.2, 0.3}, "on")});
   keep_their_orders_on(scene(group, effects, 2, 1), 128);
 }
 

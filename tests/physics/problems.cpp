@@ -68,6 +68,20 @@ ReferenceProblem p_m1_magnus() {
                        {0.42417900733699698L, 0.90557836200662385L, 0.5L});
 }
 
+ReferenceProblem p_b1_charge() {
+  return point_problem("P-B1", scene(particle({0, 0, 0}, {1, 0, 0.5}), {magnetic_field(3, {0, 0, 2})}, 4, 1e-3),
+                       {-0.15092972700110397L, -0.095970165443833837L, 2},
+                       {0.42417900733699698L, 0.90557836200662385L, 0.5L});
+}
+
+/// An hour of Foucault's pendulum of 67 m at 48.8462 degrees; the velocity is the closed form's derivative.
+ReferenceProblem p_f1_foucault() {
+  const Vector3d earth(0, 0, 7.292115e-5 * std::sin(48.8462 * pi / 180));
+  return point_problem(
+      "P-F1", scene(particle({1, 0, 0}), {spring(9.81 / 67), rotating_frame(earth, "off")}, 3600, 6e-3),
+      {0.0617642022346189478L, -0.012223806231802991L, 0}, {-0.374450898444361646L, 0.0749933306397396830L, 0});
+}
+
 ReferenceProblem p_n1_pendulum(double degrees) {
   const bool small = degrees == 30;
   const long double angle = small ? 0.423644515500648239L : 0.278680673569982948L;
@@ -104,9 +118,10 @@ ReferenceProblem p_r3_top() {
 }
 
 std::vector<ReferenceProblem> reference_problems() {
-  return {p_d1_from_rest(2),  p_d1_from_rest(10),   p_d2_throw(),  p_o1_damped_oscillator(), p_o2_stiff_oscillator(),
-          p_k1_kepler(0.6),   p_k1_kepler(0.9),     p_m1_magnus(), p_n1_pendulum(30),        p_n1_pendulum(90),
-          p_r1_torque_free(), p_r2_tennis_racket(), p_r3_top()};
+  return {p_d1_from_rest(2),       p_d1_from_rest(10),   p_d2_throw(),      p_o1_damped_oscillator(),
+          p_o2_stiff_oscillator(), p_k1_kepler(0.6),     p_k1_kepler(0.9),  p_m1_magnus(),
+          p_b1_charge(),           p_f1_foucault(),      p_n1_pendulum(30), p_n1_pendulum(90),
+          p_r1_torque_free(),      p_r2_tennis_racket(), p_r3_top()};
 }
 
 }  // namespace ballpark::tests

@@ -58,6 +58,8 @@ ReferenceProblem p_o1_damped_oscillator();
 ReferenceProblem p_o2_stiff_oscillator();
 ReferenceProblem p_k1_kepler(double eccentricity);
 ReferenceProblem p_m1_magnus();
+ReferenceProblem p_b1_charge();
+ReferenceProblem p_f1_foucault();
 ReferenceProblem p_n1_pendulum(double degrees);
 ReferenceProblem p_r1_torque_free();
 ReferenceProblem p_r2_tennis_racket();

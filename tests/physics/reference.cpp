@@ -51,6 +51,14 @@ TEST_CASE("P-M1: Magnus lift on a spinning ball", "[physics]") {
   holds(p_m1_magnus());
 }
 
+TEST_CASE("P-B1: charge in a magnetic field", "[physics]") {
+  holds(p_b1_charge());
+}
+
+TEST_CASE("P-F1: Foucault's pendulum, an hour of it", "[physics]") {
+  holds(p_f1_foucault());
+}
+
 TEST_CASE("P-N1: pendulum on a pivot from 30 and 90 degrees", "[physics]") {
   holds(p_n1_pendulum(30));
   holds(p_n1_pendulum(90));

@@ -50,6 +50,12 @@ inline Effect pivot() {
 inline Effect spring(double stiffness, double damping = 0) {
   return {"spring", {}, {{"anchor", Vector3d(0, 0, 0)}, {"stiffness", stiffness}, {"damping", damping}}};
 }
+inline Effect magnetic_field(double charge, const Vector3d& field) {
+  return {"magnetic_field", {}, {{"charge", charge}, {"field", field}}};
+}
+inline Effect rotating_frame(const Vector3d& rate, const std::string& centrifugal) {
+  return {"rotating_frame", {}, {{"angular_velocity", rate}, {"centrifugal", centrifugal}}};
+}
 inline Effect attraction() {
   return {"central_gravity", {}, {{"strength", 1.0}}};
 }

@@ -38,4 +38,27 @@ Vector<R> gravity(const LoneBody& body) {
   return total;
 }
 
+/// Acceleration by all uniform forces.
+template <class R>
+Vector<R> uniform_push(const LoneBody& body) {
+  Vector<R> force = Vector<R>::Zero();
+  for (const Effect* effect : of_kind(body, "electric_field")) {
+    force += R(number(*effect, "charge")) * vector(*effect, "field").cast<R>();
+  }
+  return gravity<R>(body) + force / R(body.mass);
+}
+
+/// The rate W at which magnetic fields and Coriolis forces turn the velocity, v' = W x v.
+template <class R>
+Vector<R> turning(const LoneBody& body) {
+  Vector<R> total = Vector<R>::Zero();
+  for (const Effect* effect : of_kind(body, "magnetic_field")) {
+    total -= R(number(*effect, "charge")) / R(body.mass) * vector(*effect, "field").cast<R>();
+  }
+  for (const Effect* effect : of_kind(body, "rotating_frame")) {
+    total -= 2 * vector(*effect, "angular_velocity").cast<R>();
+  }
+  return total;
+}
+
 }  // namespace ballpark::cost

@@ -24,6 +24,7 @@ TEST_CASE("Catalogue: every effect and integrator runs", "[api]") {
     for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
       Scene scene = scene_of({bricks("b", 3)}, {sample(description)});
       scene.run.integrator = integrator.name;
+      scene.run.duration = 10 * scene.run.step;
       const bool differentiated = integrator.name != "taylor2" || description.has_force_derivative;
       const bool blind = integrator.family == "splitting" && integrator.order > 2;
       const bool reads = contains(description.reads, "velocity") && !damps(description) && description.name != "pivot";

@@ -27,6 +27,10 @@ inline Vector force(const Made& body, const State& s) {
       const Vector r = s.x - wide(cost::vector(e, "centre"));
       total -= Real(body.mass) * number("strength") / (r.squaredNorm() * r.norm()) * r;
     }
+    if (e.kind == "electric_field") total += number("charge") * wide(cost::vector(e, "field"));
+    if (e.kind == "magnetic_field") total += number("charge") * s.v.cross(wide(cost::vector(e, "field")));
+    if (e.kind == "rotating_frame")  // the Coriolis force alone
+      total -= 2 * Real(body.mass) * wide(cost::vector(e, "angular_velocity")).cross(s.v);
     if (e.kind == "magnus") total += number("coefficient") * s.w.cross(s.v);
   }
   return total;

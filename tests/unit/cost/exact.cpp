@@ -168,6 +168,32 @@ TEST_CASE("Closed forms: the heavy top (P-R3)", "[cost]") {
   check(std::atan2(end.x(), -end.y()), 3.85098384174106405L * period, 1e-14L);
 }
 
+TEST_CASE("Closed forms: a charge in a magnetic field (P-B1)", "[cost]") {
+  const Effect field = effect("magnetic_field", {{"charge", 3.0}, {"field", Vector3d(0, 0, 2)}});
+  const Made charge = particle({0, 0, 0}, {1, 0, 0.5});
+  const State s = state_at(motion_of(cost::charged_particle, charge.with(field)), 4);
+  check(s.x, {-0.15092972700110397L, -0.095970165443833837L, 2});
+  check(s.v, {0.42417900733699698L, 0.90557836200662385L, 0.5L});
+  // Crossed fields, from rest: a cycloid that drifts by E x B / B^2 = (-2, 0, 0), W = 6.
+  const Effect across = effect("electric_field", {{"charge", 3.0}, {"field", Vector3d(0, -4, 0)}});
+  const Made still = particle({0, 0, 0}, {0, 0, 0});
+  const State c = state_at(motion_of(cost::charged_particle, still.with(field).with(across)), 4);
+  check(c.x, {-8 + std::sin(Real(24)) / 3, (std::cos(Real(24)) - 1) / 3, 0});
+}
+
+TEST_CASE("Closed forms: Foucault's pendulum (P-F1)", "[cost]") {
+  // In units of the pendulum's own time, w0 = 1, and with the frame's rate a power of two: z'' + 2 i W z' + z = 0.
+  const auto frame = [](double rate) {
+    return effect("rotating_frame", {{"angular_velocity", Vector3d(0, 0, rate)}, {"centrifugal", std::string("off")}});
+  };
+  const Made bob = particle({1, 0, 0}, {0, 0, 0});
+  const State s = state_at(motion_of(cost::foucault, bob.with(spring(1, 0)).with(frame(0.75))), 8);
+  check(s.x, {-0.7144467927555664600913L, -0.5478613329133295421412L, 0});
+  const double rate = 7.292115e-5 * std::sin(48.8462 * degree), stiffness = 9.81 / 67;  // as doubles
+  const State hour = state_at(motion_of(cost::foucault, bob.with(spring(stiffness, 0)).with(frame(rate))), 3600);
+  check(hour.x, {0.0617642022346189478L, -0.012223806231802991L, 0}, 3e-13L);
+}
+
 TEST_CASE("Closed forms: steady lift (P-M1)", "[cost]") {
   const Made ball = rigid({1, 1, 1}, {0, 0, -2}, {0, 0, 0}, {1, 0, 0.5});
   const State s = state_at(motion_of(cost::constant_spin_lift, ball.with(effect("magnus", {{"coefficient", 3.0}}))), 4);

@@ -43,6 +43,12 @@ TEST_CASE("Closed forms: the engine runs into them", "[cost]") {
   check_run({.position = {{0, 0, 0}}, .velocity = {{0, 0, 6}}}, {air, pull}, {});
   check_run(thrown, {spring(20, 0.6, {0, 1, 0}), drag, pull}, {});
   check_run(thrown, {sun}, {});
+  const Effect electric = effect("electric_field", {{"charge", -0.7}, {"field", Vector3d(1, 2, -3)}});
+  const Effect magnetic = effect("magnetic_field", {{"charge", 1.7}, {"field", Vector3d(2, -1, 1.5)}});
+  const Effect frame =
+      effect("rotating_frame", {{"angular_velocity", Vector3d(0.3, -0.4, 1.1)}, {"centrifugal", std::string("off")}});
+  check_run(thrown, {electric, magnetic, pull}, {});
+  check_run(thrown, {spring(20, 0, {0, 1, 0}), electric, magnetic, frame, pull}, {});
 
   ballpark::BodyGroup ball = thrown;
   ball.inertia = {{0.4, 0.4, 0.4}};

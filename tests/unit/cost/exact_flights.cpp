@@ -85,6 +85,39 @@ TEST_CASE("Closed forms: orbits of every eccentricity solve their equation", "[c
   }
 }
 
+TEST_CASE("Closed forms: charges in uniform fields solve their equation", "[cost]") {
+  Dice dice(8);
+  const auto field = [&](const char* kind, double size) {
+    return effect(kind, {{"charge", dice.number(-1, 1)}, {"field", dice.vector(size)}});
+  };
+  for (int i = 0; i < 20; ++i) {
+    const Made body = random_flight(dice);
+    const double size = std::pow(10.0, dice.number(-9, 0.5));
+    const Made turned = body.with(field("magnetic_field", size)).with(field("magnetic_field", size));
+    check_motion(cost::charged_particle, check_free, turned, dice, 10);
+    check_motion(cost::charged_particle, check_free, turned.with(field("electric_field", 5)), dice, 10);
+    const Made pushed = body.with(random_gravity(dice)).with(field("electric_field", 5));
+    check_motion(cost::charged_particle, check_free, pushed, dice, 10);  // no magnetic field: a parabola
+    check_motion(cost::charged_particle, check_free, pushed.with(field("magnetic_field", size)), dice, 10);
+  }
+}
+
+TEST_CASE("Closed forms: oscillators that turn solve their equation", "[cost]") {
+  Dice dice(9);
+  for (int i = 0; i < 20; ++i) {
+    const Made body = random_flight(dice).with(spring(dice.number(0.5, 50), 0, dice.vector(1)));
+    const Effect frame = effect(
+        "rotating_frame",
+        {{"angular_velocity", dice.vector(std::pow(10.0, dice.number(-9, 0.5)))}, {"centrifugal", std::string("off")}});
+    const Effect field = effect("magnetic_field", {{"charge", dice.number(-1, 1)}, {"field", dice.vector(3)}});
+    const Effect push = effect("electric_field", {{"charge", dice.number(-1, 1)}, {"field", dice.vector(5)}});
+    check_motion(cost::foucault, check_free, body.with(frame), dice, 10);
+    check_motion(cost::foucault, check_free, body.with(field).with(push), dice, 10);
+    const Made all = body.with(frame).with(frame).with(field).with(push).with(random_gravity(dice)).with(spring(2, 0));
+    check_motion(cost::foucault, check_free, all, dice, 10);
+  }
+}
+
 TEST_CASE("Closed forms: steady lift solves its equation", "[cost]") {
   Dice dice(5);
   for (int i = 0; i < 20; ++i) {

@@ -11,6 +11,10 @@ const Effect pull = effect("gravity");
 const Effect thin_air = effect("linear_drag", {{"coefficient", 0.1}});
 const Effect air = effect("quadratic_drag", {{"coefficient", 0.1}});
 const Effect lift = effect("magnus", {{"coefficient", 0.1}});
+const Effect field = effect("magnetic_field", {{"charge", 2.0}, {"field", Vector3d(0, 0, 1)}});
+const Effect push = effect("electric_field", {{"charge", 2.0}, {"field", Vector3d(0, 1, 1)}});
+const Effect frame =
+    effect("rotating_frame", {{"angular_velocity", Vector3d(0, 0, 1)}, {"centrifugal", std::string("off")}});
 const Effect sun = effect("central_gravity", {{"strength", 5.0}});
 
 bool taken(ClosedForm& form, const Made& body) {
@@ -40,6 +44,8 @@ TEST_CASE("Closed forms: an effect that no form knows is refused by all", "[cost
                                     particle({1, 0, 0}, {0, 0, 1}).with(pull).with(air),
                                     particle({1, 0, 0}, {0, 1, 0}).with(spring(5, 0)),
                                     particle({1, 0, 0}, {0, 1, 0}).with(sun),
+                                    particle({1, 0, 0}, {0, 1, 0}).with(field).with(push),
+                                    particle({1, 0, 0}, {0, 1, 0}).with(spring(5, 0)).with(frame),
                                     bob().with(pull).with(pivot()),
                                     rigid({1, 2, 2.5}, {1, 2, 3}),
                                     rigid({1, 1, 1.5}, {1, 2, 3}, {0, 0, 1}, {2, -1, 0}).with(pull).with(pivot()),
@@ -76,6 +82,31 @@ TEST_CASE("Closed forms: springs with a rest length, or none, are refused", "[co
   CHECK(!taken(mass.with(spring(0, 1))));
   CHECK(!taken(mass.with(spring(5, 1)).with(air)));
   CHECK(!taken(rigid({1, 2, 2.5}, {1, 2, 3}, {1, 0, 0}).with(spring(5, 1))));
+}
+
+TEST_CASE("Closed forms: charges with drag, and bricks, are refused", "[cost]") {
+  const Made charge = particle({1, 0, 0}, {0, 1, 0});
+  CHECK(taken(charge.with(field).with(push).with(pull)));
+  CHECK(taken(charge.with(push)));
+  CHECK(!taken(charge.with(field).with(thin_air)));
+  CHECK(!taken(charge.with(field).with(frame)));
+  CHECK(!taken(charge.with(push).with(sun)));
+  CHECK(!taken(rigid({1, 1, 1}, {1, 2, 3}, {0, 0, 0}, {1, 0, 0}).with(field).with(lift)));
+  CHECK(!taken(rigid({1, 2, 2.5}, {1, 2, 3}, {0, 0, 0}, {1, 0, 0}).with(field)));
+}
+
+TEST_CASE("Closed forms: oscillators in a frame with its centrifugal force, damped or stretched, are refused",
+          "[cost]") {
+  const Made mass = particle({1, 0, 0}, {0, 1, 0});
+  const Effect whole = with(frame, "centrifugal", std::string("on"));
+  CHECK(taken(mass.with(spring(5, 0)).with(frame)));
+  CHECK(taken(mass.with(spring(5, 0)).with(frame).with(field).with(push).with(pull)));
+  CHECK(!taken(mass.with(spring(5, 0)).with(whole)));
+  CHECK(!taken(mass.with(spring(5, 0)).with(frame).with(whole)));
+  CHECK(!taken(mass.with(spring(5, 1)).with(frame)));
+  CHECK(!taken(mass.with(with(spring(5, 0), "rest_length", 0.5)).with(frame)));
+  CHECK(!taken(mass.with(spring(0, 0)).with(frame)));
+  CHECK(!taken(mass.with(frame)));
 }
 
 TEST_CASE("Closed forms: orbits of other forces, and falls into the sun, are refused", "[cost]") {
@@ -135,6 +166,9 @@ TEST_CASE("Closed forms: parameters come from the scene, then from the catalogue
   CHECK(cost::number(sun, "softening") == 0);
   CHECK(cost::number(sun, "strength") == 5);
   CHECK(std::isnan(cost::number(sun, "mass")));
+  CHECK(cost::word(frame, "centrifugal") == "off");
+  CHECK(cost::word(effect("rotating_frame"), "centrifugal") == "on");
+  CHECK(cost::word(sun, "centrifugal").empty());
   const Effect rows = effect("pivot", {{"point", std::vector<Vector3d>{{1, 0, 0}, {2, 0, 0}}}});
   CHECK(cost::vector(rows, "point", 1) == Vector3d(2, 0, 0));
   CHECK(cost::vector(pivot({3, 0, 0}), "point", 1) == Vector3d(3, 0, 0));

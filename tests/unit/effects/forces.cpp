@@ -24,7 +24,7 @@ typename E::Constants packed(const std::map<std::string, Value>& parameters) {
   const auto per_body = [](const std::string&, const std::vector<Vector3d>& rows) {
     return std::array<PerBody, 3>{PerBody{nullptr, rows[0].x()}, {nullptr, rows[0].y()}, {nullptr, rows[0].z()}};
   };
-  return E::pack(EffectInput{parameters, 3.0, per_body});
+  return E::pack(EffectInput{parameters, 3.0, per_body, body.mass});
 }
 
 template <class E>
@@ -139,6 +139,40 @@ TEST_CASE("Effects: central gravity, softened and not", "[effects]") {
   }
 }
 
+TEST_CASE("Effects: electric field", "[effects]") {
+  const auto c = packed<ElectricField>({{"charge", -3.0}, {"field", vector}});
+  CHECK(near(loads<ElectricField>(c, body).force, {-3, 6, -1.5}, 1e-15));
+  CHECK(std::abs(ElectricField::energy(c, body) - 3 * (0.3 + 1.4 + 0.55)) < 1e-14);
+  check_energy<ElectricField>(c);
+  check_force_rate<ElectricField>(c);
+}
+
+TEST_CASE("Effects: magnetic field, across the velocity", "[effects]") {
+  const auto c = packed<MagneticField>({{"charge", -3.0}, {"field", vector}});
+  const Vector force = loads<MagneticField>(c, body).force;
+  CHECK(near(force, {-3 * -3.875, -3 * -2.75, -3 * -3.25}, 1e-15));
+  CHECK(std::abs(dot(force, body.velocity)) < 1e-14);
+  check_force_rate<MagneticField>(c);
+}
+
+TEST_CASE("Effects: rotating frame, Coriolis force with and without the centrifugal one", "[effects]") {
+  const Vector rate = {1, -2, 0.5}, r = body.position - Vector{0.5, 1, -1};
+  const Vector coriolis = -2 * body.mass * cross(rate, body.velocity);
+  const Vector centrifugal = -body.mass * cross(rate, cross(rate, r));
+  for (const std::string choice : {"on", "off"}) {
+    CAPTURE(choice);
+    const auto c =
+        packed<RotatingFrame>({{"angular_velocity", vector}, {"point", Vector3d(0.5, 1, -1)}, {"centrifugal", choice}});
+    const Vector expected = choice == "on" ? coriolis + centrifugal : coriolis;
+    CHECK(near(loads<RotatingFrame>(c, body).force, expected, 1e-15));
+    const Vector swept = cross(rate, r);
+    const double energy = choice == "on" ? -body.mass / 2 * dot(swept, swept) : 0;
+    CHECK(std::abs(RotatingFrame::energy(c, body) - energy) < 1e-14);
+    check_energy<RotatingFrame>(c);
+    check_force_rate<RotatingFrame>(c);
+  }
+}
+
 TEST_CASE("Effects: applied force and torque, while they last and where they act", "[effects]") {
   const double forever = std::numeric_limits<double>::infinity();
   auto force =
@@ -162,7 +196,7 @@ TEST_CASE("Effects: applied force and torque, while they last and where they act
 
 TEST_CASE("Effects: stiffness is the force's response", "[effects]") {
   const auto input = [](const std::map<std::string, Value>& parameters, double speed) {
-    return EffectInput{parameters, speed, {}};
+    return EffectInput{parameters, speed, {}, 2.0};
   };
   const std::map<std::string, Value> spring{
       {"anchor", anchor}, {"stiffness", 8.0}, {"damping", 0.5}, {"rest_length", 1.0}};
@@ -171,4 +205,12 @@ TEST_CASE("Effects: stiffness is the force's response", "[effects]") {
   const std::map<std::string, Value> drag{{"coefficient", 0.5}};
   CHECK(LinearDrag::stiffness(input(drag, 3)).damping == 0.5);
   CHECK(QuadraticDrag::stiffness(input(drag, 3)).damping == 3);  // d(k v^2)/dv = 2 k v
+  const std::map<std::string, Value> field{{"charge", -3.0}, {"field", Vector3d(2, 0, 0)}};
+  CHECK(MagneticField::stiffness(input(field, 3)).gyration == 6);
+  CHECK(MagneticField::stiffness(input(field, 3)).damping == 0);
+  std::map<std::string, Value> frame{{"angular_velocity", Vector3d(0, 3, 4)}, {"centrifugal", std::string("off")}};
+  CHECK(RotatingFrame::stiffness(input(frame, 3)).gyration == 20);  // 2 m W
+  CHECK(RotatingFrame::stiffness(input(frame, 3)).spring == 0);
+  frame["centrifugal"] = std::string("on");
+  CHECK(RotatingFrame::stiffness(input(frame, 3)).spring == -50);  // - m W^2
 }

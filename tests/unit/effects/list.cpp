@@ -19,12 +19,13 @@ struct Abilities {
   bool energy, force_derivative, window_and_rows, stiffness;
 };
 const std::map<std::string, Abilities> abilities = {
-    {"gravity", {true, true, false, false}},        {"linear_drag", {false, true, false, true}},
-    {"quadratic_drag", {false, true, false, true}}, {"magnus", {false, true, false, false}},
-    {"spring", {true, true, false, true}},          {"central_gravity", {true, true, false, false}},
-    {"force", {false, true, true, false}},          {"torque", {false, true, true, false}},
-    {"pivot", {false, true, false, false}},         {"mutual_gravity", {true, false, false, false}},
-    {"bonds", {true, false, false, true}},
+    {"gravity", {true, true, false, false}},         {"linear_drag", {false, true, false, true}},
+    {"quadratic_drag", {false, true, false, true}},  {"magnus", {false, true, false, false}},
+    {"spring", {true, true, false, true}},           {"central_gravity", {true, true, false, false}},
+    {"electric_field", {true, true, false, false}},  {"magnetic_field", {false, true, false, true}},
+    {"rotating_frame", {true, true, false, true}},   {"force", {false, true, true, false}},
+    {"torque", {false, true, true, false}},          {"pivot", {false, true, false, false}},
+    {"mutual_gravity", {true, false, false, false}}, {"bonds", {true, false, false, true}},
 };
 
 }  // namespace
@@ -40,7 +41,8 @@ TEST_CASE("Effect list: every effect tells its name, sentence, source, parameter
     CHECK(effect.flops > 0);
     for (const ballpark::ParameterInfo& parameter : effect.parameters) {
       CAPTURE(parameter.name);
-      CHECK_FALSE(parameter.unit.empty());
+      CHECK(parameter.unit.empty() == (parameter.kind == ballpark::ParameterKind::word));
+      CHECK(parameter.choices.empty() == !parameter.unit.empty());
       CHECK_FALSE(parameter.doc.empty());
     }
   }
@@ -112,6 +114,7 @@ TEST_CASE("Effect list: an effect reads what it says, and nothing else", "[effec
       ballpark::Value made = 0.25;
       if (p.kind == ParameterKind::vector) made = v;
       if (p.kind == ParameterKind::vectors) made = std::vector<ballpark::Vector3d>{v};
+      if (p.kind == ParameterKind::word) made = *p.fallback;
       parameters[p.name] = made;
     }
     if (info.window) parameters["until"] = 1.0;

@@ -33,6 +33,7 @@ void check_problem(const Effect& made, const std::string& path, const std::strin
 
 /// A value of another type than the parameter's.
 Value wrong_type(ParameterKind kind) {
+  if (kind == ParameterKind::word) return 1.0;
   return kind == ParameterKind::number ? Value(Vector3d(1, 2, 3)) : Value(std::string("up"));
 }
 
@@ -56,6 +57,12 @@ TEST_CASE("Bad effects: every parameter of every effect is required, typed and f
         check_problem(made, path, "is missing, expected ");
       }
       made.parameters[parameter.name] = wrong_type(parameter.kind);
+      if (parameter.kind == ParameterKind::word) {
+        check_problem(made, path, "expected one of \"" + parameter.choices.front() + "\"");
+        made.parameters[parameter.name] = parameter.choices.front() + "x";
+        check_problem(made, path, "did you mean \"" + parameter.choices.front() + "\"?");
+        continue;
+      }
       check_problem(made, path, "[" + parameter.unit + "]");
       if (parameter.kind == ParameterKind::pairs) continue;  // whole numbers
       const bool vectors = parameter.kind == ParameterKind::vector || parameter.kind == ParameterKind::vectors;
@@ -140,10 +147,14 @@ TEST_CASE("Bad effects: a splitting of order above 2 refuses forces that read ve
     return effect("spring", {{"anchor", Vector3d(1, 1, 1)}, {"stiffness", 3.0}, {"damping", damping}});
   };
   const Effect drag = effect("linear_drag", {{"coefficient", 0.2}});
+  const Effect field = effect("magnetic_field", {{"charge", 1.0}, {"field", Vector3d(0, 0, 2)}});
+  const Effect frame = effect("rotating_frame", {{"angular_velocity", Vector3d(0, 0, 2)}});
+  const Effect blind = effect("electric_field", {{"charge", 1.0}, {"field", Vector3d(0, 0, 2)}});
   for (const char* splitting : {"ruth3", "forest_ruth", "yoshida4", "pefrl", "yoshida6"}) {
     CAPTURE(splitting);
     CHECK(problems(splitting, spring(0)).empty());
-    for (const Effect& reader : {drag, spring(0.1)}) {
+    CHECK(problems(splitting, blind).empty());
+    for (const Effect& reader : {drag, spring(0.1), field, frame}) {
       const std::vector<Problem> found = problems(splitting, reader);
       REQUIRE(found.size() == 1);
       CHECK(found[0].path == "run.integrator");

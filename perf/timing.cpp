@@ -15,6 +15,10 @@ double seconds_since(Clock::time_point start) {
 
 }  // namespace
 
+double seconds_now() {
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
 Samples::Samples(std::vector<double> seconds) : sorted_(std::move(seconds)) {
   std::sort(sorted_.begin(), sorted_.end());
 }

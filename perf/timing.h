@@ -7,6 +7,9 @@
 
 namespace ballpark::perf {
 
+/// Of a steady clock.
+double seconds_now();
+
 /// Wall times of one task, one per round [s].
 class Samples {
  public:

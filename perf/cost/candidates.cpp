@@ -64,7 +64,12 @@ constexpr std::size_t enough_in_single = 6;
 /// Iterations and substeps: the scene's, and more and fewer of either.
 std::vector<std::pair<int, int>> contacts_of(const Scene& scene, const Axes& axes) {
   if (scene.contact.kind != "impulse") return {{0, 0}};
-  if (!axes.contacts.empty()) return axes.contacts;
+  if (!axes.contacts.empty()) {
+    std::vector<std::pair<int, int>> once = axes.contacts;
+    std::sort(once.begin(), once.end());
+    once.erase(std::unique(once.begin(), once.end()), once.end());
+    return once;
+  }
   const int n = scene.contact.iterations, s = scene.contact.substeps;
   return {{n, s}, {std::max(1, n / 3), s}, {3 * n, s}, {n, 2 * s}, {n, 4 * s}};
 }
@@ -73,6 +78,8 @@ std::vector<std::pair<int, int>> contacts_of(const Scene& scene, const Axes& axe
 constexpr const char* enough_for_contacts[] = {"semi_implicit_euler", "velocity_verlet", "rk4", "euler"};
 
 }  // namespace
+
+namespace {
 
 std::vector<std::string> ranked_integrators(const Scene& scene) {
   std::vector<std::string> names{scene.run.integrator};
@@ -87,6 +94,8 @@ std::vector<std::string> ranked_integrators(const Scene& scene) {
   for (const IntegratorDescription& row : integrators()) add(row.name);
   return names;
 }
+
+}  // namespace
 
 std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::size_t sample_count,
                                   std::vector<std::string>& refused) {
@@ -129,6 +138,12 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
     }
   }
   for (const auto& [why, whom] : reasons) refused.push_back(whom + ": " + why);
+  if (axes.integrators.empty() && scene.contact.kind == "impulse") {
+    refused.push_back("more integrators: impulse contacts are of first order under all of them (--integrators)");
+  }
+  if (axes.integrators.empty() && axes.precisions.empty()) {
+    refused.push_back("single precision of more than six integrators (--precisions single,double)");
+  }
   return list;
 }
 

@@ -26,13 +26,13 @@ std::vector<std::size_t> front_of(const Result& result, std::vector<std::size_t>
   return front;
 }
 
-/// Of a curve, between its points, logarithmically; nullopt outside them.
+/// The wall time at which a curve's front meets an error: between its points logarithmically, of its coarsest one where
+/// that is more accurate; nullopt where it does not come so far.
 std::optional<double> seconds_on(const Result& result, const std::vector<std::size_t>& front, double error) {
   for (std::size_t k = 0; k < front.size(); ++k) {
     const Point& fine = result.points[front[k]];
     if (fine.error > error) continue;
-    if (fine.error == error) return fine.seconds.minimum;
-    if (k == 0) return std::nullopt;
+    if (fine.error == error || k == 0) return fine.seconds.minimum;
     const Point& coarse = result.points[front[k - 1]];
     if (fine.error == 0) return fine.seconds.minimum;
     const double share = std::log(coarse.error / error) / std::log(coarse.error / fine.error);
@@ -61,15 +61,20 @@ std::vector<Ladder> ladders_of(const Result& result) {
 constexpr double worth_it = 1.25;
 constexpr double errors_per_decade = 20;
 
+/// Where `after` is cheaper than `before` from this error down, by the most and where that is.
 std::string takeover(const Result& result, const Ladder& before, const Ladder& after, double error) {
   const double low = std::max(before.least_error(result), after.least_error(result));
-  const auto slow = seconds_on(result, before.front, low), fast = seconds_on(result, after.front, low);
-  const std::string start = fmt::format("below {:.0e} {} {}", error, result.measure_unit, after.curve->label);
-  if (!slow || !fast || *slow <= *fast || low >= error) {
-    return fmt::format("{} takes over: {} was not measured there", start, before.curve->label);
+  double most = 0, where = 0;
+  for (double at = error; at >= low && at > 0; at *= std::pow(10.0, -1 / errors_per_decade)) {
+    const auto slow = seconds_on(result, before.front, at), fast = seconds_on(result, after.front, at);
+    if (!slow || !fast || *slow / *fast <= most) continue;
+    most = *slow / *fast;
+    where = at;
   }
-  return fmt::format("{} is cheaper than {}, by {:.1f} times at {:.0e} {}", start, before.curve->label, *slow / *fast,
-                     low, result.measure_unit);
+  const std::string start = fmt::format("below {:.0e} {} {}", error, result.measure_unit, after.curve->label);
+  if (most <= 1) return fmt::format("{} takes over: {} does not come so far", start, before.curve->label);
+  return fmt::format("{} is cheaper than {}, by up to {:.1f} times, at {:.0e} {}", start, before.curve->label, most,
+                     where, result.measure_unit);
 }
 
 }  // namespace
@@ -94,18 +99,19 @@ std::vector<std::string> crossovers(const Result& result) {
   const std::vector<Ladder> ladders = ladders_of(result);
   const Ladder* best = nullptr;
   const double factor = std::pow(10.0, -1 / errors_per_decade);
-  for (double error = result.ceiling; error >= result.floor && error > 0; error *= factor) {
+  const double least = std::max(result.floor, 1e-300);
+  for (double error = result.ceiling; error >= least; error *= factor) {
     const Ladder* cheapest = nullptr;
-    double least = 0, now = 0;
+    double lowest = 0, now = 0;
     for (const Ladder& ladder : ladders) {
       const auto seconds = seconds_on(result, ladder.front, error);
       if (!seconds) continue;
       if (&ladder == best) now = *seconds;
-      if (cheapest && *seconds >= least) continue;
+      if (cheapest && *seconds >= lowest) continue;
       cheapest = &ladder;
-      least = *seconds;
+      lowest = *seconds;
     }
-    if (!cheapest || cheapest == best || (now > 0 && now < worth_it * least)) continue;
+    if (!cheapest || cheapest == best || (now > 0 && now < worth_it * lowest)) continue;
     if (best) list.push_back(takeover(result, *best, *cheapest, error));
     best = cheapest;
   }

@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "perf/cost/choice.h"
+#include "perf/timing.h"
 
 namespace ballpark::cost {
 
 namespace {
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+using perf::seconds_now;
 
 constexpr double reference_share = 0.25, timing_share = 0.55;  ///< of the time
 constexpr int many_rounds = 9, few_rounds = 3;
@@ -28,11 +26,11 @@ class Study {
 
   std::optional<Result> result() {
     if (!run_sweep() || !time_all()) return std::nullopt;
+    if (!recommend()) return std::nullopt;
     mark_front(result_);
     result_.crossovers = crossovers(result_);
     const std::string lecture = comparison(result_, "rk4", "euler");
     if (!lecture.empty()) result_.crossovers.push_back(lecture);
-    if (!recommend()) return std::nullopt;
     add_paths(ground_, result_, [&] { return on("confirming", 1); });
     return std::move(result_);
   }
@@ -55,8 +53,11 @@ class Study {
   /// The scene as it is, if it is one of the settings that can be compared.
   void add_own(std::vector<Candidate>& list) const {
     const Setting setting = *result_.scene_setting;
-    if (!request_.axes.integrators.empty() || setting.precision == Precision::extended) return;
-    if (setting.tolerance == 0 && steps_in(ground_.scene.run.duration, setting.step) == 0) return;
+    const Axes& axes = request_.axes;
+    if (!axes.integrators.empty() || !axes.steps.empty() || !axes.tolerances.empty()) return;
+    if (setting.precision == Precision::extended) return;
+    const std::uint64_t steps = steps_in(ground_.scene.run.duration, setting.step);
+    if (setting.tolerance == 0 && (steps == 0 || steps % ground_.samples.times.size() != 0)) return;
     for (Candidate& candidate : list) {
       const Setting& first = candidate.settings.front();
       const bool alike = first.integrator == setting.integrator && first.precision == setting.precision &&
@@ -89,6 +90,7 @@ class Study {
     const auto ranked = [&] {
       return request_.tolerance ? accurate_enough(result_, limit, request_.margin) : cheap_enough(result_, limit);
     };
+    const std::size_t swept = result_.points.size();
     for (int i = 0; request_.tolerance && i < 2; ++i) {
       if (!refine(ground_, limit / request_.margin, result_, [&] { return on("confirming", 0); })) return false;
     }
@@ -97,24 +99,36 @@ class Study {
     if (request_.tolerance) {
       const double near = 2 * result_.points[list.front()].seconds.minimum;
       std::erase_if(list, [&](std::size_t i) { return result_.points[i].seconds.minimum > near; });
-      if (!time_points(ground_, list, {0, 5 * many_rounds}, result_, [&](double f) { return on("confirming", f); })) {
+      for (std::size_t i = swept; i < result_.points.size(); ++i) {  // timed in turns like the others
+        if (std::find(list.begin(), list.end(), i) == list.end()) list.push_back(i);
+      }
+      if (!time_points(ground_, list, {0, rounds_for(list)}, result_, [&](double f) { return on("confirming", f); })) {
         return false;
       }
       list = ranked();
-      mark_front(result_);
+      if (list.empty()) return true;
     }
     const Point& best = result_.points[list.front()];
     const Point again = measured_point(ground_, best.setting, [&] { return on("confirming", 1); });
     Recommendation named{list.front(), request_.tolerance ? *request_.tolerance : *request_.budget,
                          request_.tolerance ? request_.margin : 1, again.error, ""};
     const double each = best.seconds.minimum / ground_.scene.run.duration;
-    named.sentence = fmt::format(
-        "{}: error {:.2g} {} in {:.3g} s, {:.3g} s a simulated second; a fresh run confirms "
-        "{:.2g} {}",
-        text(best.setting), best.error, result_.measure_unit, best.seconds.minimum, each, again.error,
-        result_.measure_unit);
+    const auto told = [&](double error) {
+      return fmt::format("{}{:.2g} {}", error < result_.floor ? "below " : "", std::max(error, result_.floor),
+                         result_.measure_unit);
+    };
+    named.sentence =
+        fmt::format("{}: error {} in {}, or {} a simulated second; a fresh run confirms {}", text(best.setting),
+                    told(best.error), time_text(best.seconds.minimum), time_text(each), told(again.error));
     result_.recommended = named;
     return true;
+  }
+
+  /// As many as a tenth of the time has room for.
+  int rounds_for(const std::vector<std::size_t>& list) const {
+    double each = 0;
+    for (const std::size_t i : list) each += std::max(1e-4, result_.points[i].seconds.minimum);
+    return std::clamp(static_cast<int>(0.1 * request_.seconds / each), few_rounds, 5 * many_rounds);
   }
 
   const Ground& ground_;
@@ -129,7 +143,8 @@ class Study {
 
 std::optional<Result> cost(const Scene& scene, const Request& request, const Progress& progress) {
   const double begin = seconds_now();
-  const GroundRequest wanted{request.measure, request.reference, reference_share * request.seconds, request.options};
+  const GroundRequest wanted{request.measure, request.reference, reference_share * request.seconds, request.axes.steps,
+                             request.options};
   const GoOn go_on = [&] { return progress("reference", std::min(1.0, (seconds_now() - begin) / wanted.seconds)); };
   const std::optional<Ground> ground = ground_for(scene, wanted, go_on);
   if (!ground) return std::nullopt;

@@ -7,29 +7,29 @@
 
 #include "perf/cost/horizon.h"
 #include "perf/machine.h"
+#include "perf/timing.h"
 
 namespace ballpark::cost {
 
 namespace {
 
-constexpr std::size_t look_count = 20, most_bodies = 256;
+using perf::seconds_now;
+
+constexpr std::size_t usual_looks = 20, most_bodies = 256;
 
 /// Do positions change along the path, or do bodies only turn?
-Measure natural_measure(const Track& track) {
-  const std::size_t bodies = track.states.size() / track.known.size();
-  for (std::size_t i = bodies; i < track.states.size(); ++i) {
-    const Vector3d &now = track.states[i].position, &before = track.states[i - bodies].position;
-    if ((now - before).norm() > 1e-9 * std::max(1.0, now.norm())) return {Quantity::position, "maximum"};
-  }
-  const bool turns = std::any_of(track.states.begin(), track.states.end(), [](auto& s) { return s.has_orientation; });
-  return {turns ? Quantity::orientation : Quantity::velocity, "maximum"};
+Measure natural_measure(const Ground& ground) {
+  const auto size = size_of(ground.reference.track);
+  const bool moves = size[1] * ground.scene.run.duration > 1e-9 * size[0];
+  return {moves || size[3] == 0 ? Quantity::position : Quantity::orientation, "maximum"};
 }
 
-std::string sentence(const Measure& measure) {
+std::string sentence(const Measure& measure, bool all) {
+  const std::string whom = all ? "all bodies" : "the bodies compared";
   const std::string what = std::string(name(measure.quantity)) + " error";
   if (measure.which == "end") return what + " at the end, of the body that is farthest off";
-  if (measure.which == "rms") return "root mean square of the " + what + " along the path, over all bodies";
-  return "largest " + what + " along the path, of all bodies";
+  if (measure.which == "rms") return "root mean square of the " + what + " along the path, over " + whom;
+  return "largest " + what + " along the path, of " + whom;
 }
 
 /// What can be said of the scene at once.
@@ -45,14 +45,28 @@ void describe(Ground& ground) {
   about.scene_setting = setting_of(ground.scene);
 }
 
-void look_at(Ground& ground) {
-  ground.samples = samples_of(ground.scene.run.duration, ground.about.bodies, look_count, most_bodies);
-  ground.about.compared = ground.samples.ids.size();
+/// Equal parts of the duration that whole steps fill, of the scene and of those asked for: 20 if that is possible.
+std::size_t look_count(const Scene& scene, const std::vector<double>& steps) {
+  std::vector<std::uint64_t> counts;
+  for (const double step : steps) counts.push_back(steps_in(scene.run.duration, step));
+  if (steps.empty() && scene.run.step > 0) counts.push_back(steps_in(scene.run.duration, scene.run.step));
+  for (const std::size_t looks : {20, 25, 24, 16, 30, 32, 18, 15, 40, 12, 10, 22, 21, 28, 27, 14, 9, 8}) {
+    if (std::all_of(counts.begin(), counts.end(), [&](auto n) { return n % looks == 0; })) return looks;
+  }
+  return usual_looks;
 }
 
-/// Where runs part, only the first part of the duration can be compared: a whole fraction of it, which steps that
-/// fill it fill too.
-void stay_inside_horizon(Ground& ground, const GoOn& go_on) {
+void look_at(Ground& ground, const std::vector<double>& steps) {
+  const World world(ground.scene, ground.options);
+  Samples& samples = ground.samples;
+  samples = samples_of(ground.scene.run.duration, world.body_count(), look_count(ground.scene, steps), most_bodies);
+  for (const std::size_t id : samples.ids) samples.start.push_back(world.body(id));
+  ground.about.compared = samples.ids.size();
+}
+
+/// Where runs part, only the first part of the duration can be compared: a whole fraction of it, so that its steps fill
+/// the whole of it too.
+void stay_inside_horizon(Ground& ground, const std::vector<double>& steps, const GoOn& go_on) {
   Result& about = ground.about;
   about.horizon = find_horizon(ground.scene, ground.options, go_on);
   if (!about.horizon) return;
@@ -61,17 +75,17 @@ void stay_inside_horizon(Ground& ground, const GoOn& go_on) {
   duration /= std::ceil(duration / about.horizon->time);
   about.horizon->sentence += fmt::format(" Compared: the first {:.3g} of {:.3g} s.", duration, whole);
   about.duration = duration;
-  look_at(ground);
+  look_at(ground, steps);
 }
 
 void settle_measure(Ground& ground, const std::optional<Measure>& asked) {
-  ground.measure = asked ? *asked : natural_measure(ground.reference.track);
+  ground.measure = asked ? *asked : natural_measure(ground);
   const auto quantity = static_cast<std::size_t>(ground.measure.quantity);
   Result& about = ground.about;
   about.reference = ground.reference.about;
   about.quantity = ground.measure.quantity;
   about.which = ground.measure.which;
-  about.measure = sentence(ground.measure);
+  about.measure = sentence(ground.measure, about.compared == about.bodies);
   about.measure_unit = unit(ground.measure.quantity);
   about.floor = 10 * about.reference.error_bar[quantity];
   about.ceiling = std::max(about.floor, 0.1 * about.reference.scale[quantity]);
@@ -85,11 +99,12 @@ std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& reques
   ground.options = request.options;
   ground.options.precision.reset();
   describe(ground);
-  look_at(ground);
+  look_at(ground, request.steps);
   std::optional<ReferenceTrack> reference;
   if (request.reference == "best") reference = closed_form(scene, ground.samples, ground.options);
   if (!reference) {
-    stay_inside_horizon(ground, go_on);
+    const double end = seconds_now() + request.seconds / 2;
+    stay_inside_horizon(ground, request.steps, [&] { return go_on() && seconds_now() < end; });
     const auto find = request.reference == "runs" ? finest_runs : numerical_reference;
     reference = find(ground.scene, ground.samples, ground.options, request.seconds, go_on);
   }

@@ -20,6 +20,7 @@ struct GroundRequest {
   std::optional<Measure> measure = {};  ///< none: what moves, positions or orientations
   std::string reference = "best";       ///< "numerical": no closed form; "runs": the finest of two runs
   double seconds = 15;                  ///< for the reference, about
+  std::vector<double> steps = {};       ///< that are to be compared [s]; none: the scene's
   Options options = {};
 };
 

@@ -1,19 +1,17 @@
 #include "perf/cost/order.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "ballpark/catalogue.h"
+#include "perf/timing.h"
 
 namespace ballpark::cost {
 
 namespace {
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+using perf::seconds_now;
 
 /// Errors this small, over the scene's scale, show rounding rather than the method.
 constexpr double rounding = 1e-13;
@@ -31,7 +29,9 @@ std::optional<double> settled(const ObservedOrder& order, double least) {
   double closest = std::numeric_limits<double>::infinity();
   for (std::size_t k = order.slopes.size(); k-- > 1;) {
     const double finer = order.slopes[k], coarser = order.slopes[k - 1], apart = std::abs(finer - coarser);
-    if (order.errors[k + 1] < least || finer < falling || coarser < falling || apart >= closest) continue;
+    if (order.errors[k + 1] < least || !std::isfinite(finer) || finer < falling || coarser < falling ||
+        apart >= closest)
+      continue;
     closest = apart;
     best = (finer + coarser) / 2;
     if (apart < alike) break;
@@ -45,6 +45,7 @@ ObservedOrder halved(const Ground& ground, const IntegratorDescription& row, dou
   Setting setting = setting_of(ground.scene);
   setting.integrator = row.name;
   setting.tolerance = 0;
+  setting.precision = Precision::double_;
   const double scale = ground.about.reference.scale[static_cast<std::size_t>(ground.measure.quantity)];
   const double least = std::max(ground.about.floor, rounding * scale);
   const double begin = seconds_now();
@@ -62,7 +63,7 @@ ObservedOrder halved(const Ground& ground, const IntegratorDescription& row, dou
     }
     order.steps.push_back(setting.step);
     order.errors.push_back(point.error);
-    if (point.error < least) break;
+    if (point.error < least || point.error == 0) break;
   }
   for (std::size_t k = 1; k < order.errors.size(); ++k) {
     order.slopes.push_back(std::log2(order.errors[k - 1] / order.errors[k]));
@@ -75,7 +76,7 @@ ObservedOrder halved(const Ground& ground, const IntegratorDescription& row, dou
 }  // namespace
 
 std::optional<OrderStudy> observed_orders(const Scene& scene, const Request& request, const Progress& progress) {
-  const GroundRequest wanted{request.measure, request.reference, request.seconds / 4, request.options};
+  const GroundRequest wanted{request.measure, request.reference, request.seconds / 4, {}, request.options};
   const auto ground = ground_for(scene, wanted, [&] { return progress("reference", 1); });
   if (!ground) return std::nullopt;
   OrderStudy study{ground->about, {}};

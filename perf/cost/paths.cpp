@@ -78,7 +78,8 @@ void add_paths(const Ground& ground, Result& result, const GoOn& go_on) {
   Setting wrong = right->setting;
   wrong.integrator = "euler";
   const std::size_t id = most_wrong(ground, wrong, go_on);
-  result.paths.push_back(path_of(ground, result.points[finest].setting, "reference", id, go_on));
+  result.paths.push_back(
+      path_of(ground, result.points[finest].setting, "reference: " + text(result.points[finest].setting), id, go_on));
   result.paths.push_back(path_of(ground, right->setting, text(right->setting), id, go_on));
   result.paths.push_back(path_of(ground, wrong, text(wrong), id, go_on));
 }

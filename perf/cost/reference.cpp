@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "perf/cost/exact.h"
+#include "perf/timing.h"
 
 namespace ballpark::cost {
 
@@ -17,9 +17,7 @@ namespace {
 using Bars = std::array<double, quantity_count>;
 constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;  // states are kept in double
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+using perf::seconds_now;
 
 template <class R>
 BodyState state_of(const ExactState<R>& exact, const BodyState& like) {
@@ -105,6 +103,22 @@ std::optional<Track> tracked(const Scene& scene, const Setting& setting, const S
   return track;
 }
 
+/// States are kept in double.
+void add_rounding(ReferenceTrack& reference) {
+  const Bars size = size_of(reference.track);
+  for (std::size_t q = 0; q < quantity_count; ++q) reference.about.error_bar[q] += half_ulp * size[q];
+  reference.about.error_bar[2] += half_ulp * size[2];  // an angle is twice its chord
+}
+
+/// Have two runs come as near as rounding lets them, in all that moves?
+bool converged(const Track& a, const Track& b) {
+  const Bars between = apart(a, b), size = size_of(b);
+  for (std::size_t q = 0; q < quantity_count; ++q) {
+    if (between[q] > 4 * half_ulp * size[q]) return false;
+  }
+  return true;
+}
+
 constexpr const char* extrapolation = "gragg_bulirsch_stoer10";
 constexpr double loose = 1e-16, tight = 1e-18;
 
@@ -119,11 +133,9 @@ std::optional<ReferenceTrack> by_extrapolation(Scene scene, const Samples& sampl
   if (!second) return std::nullopt;
   ReferenceTrack reference{
       {"extrapolation in extended precision", fmt::format("{}, tolerances {:g} and {:g}", extrapolation, loose, tight),
-       apart(*first, *second), scale_of(*second)},
+       apart(*first, *second), scale_of(*second, samples)},
       std::move(*second)};
-  for (std::size_t q = 0; q < quantity_count; ++q) {
-    reference.about.error_bar[q] += half_ulp * reference.about.scale[q];
-  }
+  add_rounding(reference);
   return reference;
 }
 
@@ -169,12 +181,10 @@ std::optional<ReferenceTrack> closed_form(const Scene& scene, const Samples& sam
     }
   }
   constexpr double ulps = std::numeric_limits<long double>::epsilon() / std::numeric_limits<double>::epsilon();
-  reference.about.scale = scale_of(reference.track);
+  reference.about.scale = scale_of(reference.track, samples);
   reference.about.error_bar = apart(reference.track, rounded);
-  for (std::size_t q = 0; q < quantity_count; ++q) {
-    double& bar = reference.about.error_bar[q];
-    bar = 2 * static_cast<double>(ulps) * bar + half_ulp * reference.about.scale[q];
-  }
+  for (double& bar : reference.about.error_bar) bar *= 2 * static_cast<double>(ulps);
+  add_rounding(reference);
   return reference;
 }
 
@@ -193,20 +203,22 @@ std::optional<ReferenceTrack> finest_runs(const Scene& scene, const Samples& sam
     taken = std::max(seconds_now() - begin, 2 * taken);
     seconds -= seconds_now() - begin;
     before = std::exchange(last, std::move(track));
-    if (before && last && apart(*before, *last)[0] < 4 * half_ulp * scale_of(*last)[0]) break;
+    if (before && last && converged(*before, *last)) break;
   }
   if (!last || !before) return std::nullopt;
   ReferenceTrack reference{
-      {"two finest runs", text(setting) + " and twice that", apart(*before, *last), scale_of(*last)}, std::move(*last)};
+      {"two finest runs", text(setting) + " and twice that", apart(*before, *last), scale_of(*last, samples)},
+      std::move(*last)};
+  add_rounding(reference);
   return reference;
 }
 
 std::optional<ReferenceTrack> numerical_reference(const Scene& scene, const Samples& samples, const Options& options,
                                                   double seconds, const GoOn& go_on) {
-  const double end = seconds_now() + seconds;
+  const double end = seconds_now() + seconds / 2;
   const GoOn in_time = [&] { return go_on() && seconds_now() < end; };
   if (auto reference = by_extrapolation(scene, samples, options, in_time)) return reference;
-  return go_on() ? finest_runs(scene, samples, options, seconds, go_on) : std::nullopt;
+  return go_on() ? finest_runs(scene, samples, options, seconds / 2, go_on) : std::nullopt;
 }
 
 }  // namespace ballpark::cost

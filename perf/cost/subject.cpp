@@ -1,26 +1,22 @@
 #include "perf/cost/subject.h"
+#include "perf/timing.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace ballpark::cost {
 
 namespace {
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+using perf::seconds_now;
 
 Options options_for(Options options, const Setting& setting) {
   options.precision = setting.precision;
   return options;
 }
-
-/// Steps or times between two questions whether to go on.
-constexpr std::uint64_t steps_at_once = 20000;
 
 }  // namespace
 
@@ -55,6 +51,18 @@ std::string text(const Setting& setting) {
   return words;
 }
 
+std::uint64_t steps_at_once(std::size_t bodies) {
+  return std::clamp<std::uint64_t>(200'000 / std::max<std::size_t>(bodies, 1), 1, 20'000);
+}
+
+std::string time_text(double seconds) {
+  constexpr std::pair<double, const char*> units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "us"}};
+  for (const auto& [size, name] : units) {
+    if (seconds >= size) return fmt::format("{:.3g} {}", seconds / size, name);
+  }
+  return fmt::format("{:.3g} ns", 1e9 * seconds);
+}
+
 std::uint64_t steps_in(double duration, double step) {
   if (!(step > 0)) return 0;
   const double exact = duration / step, whole = std::round(exact);
@@ -76,6 +84,7 @@ double Subject::run() {
 }
 
 bool Subject::follow(const Samples& samples, Track& track, const GoOn& go_on) {
+  const std::uint64_t steps = steps_at_once(world_.body_count());
   world_.restore(begin_);
   for (std::size_t k = 0; k < samples.times.size(); ++k) {
     const double t = samples.times[k];
@@ -84,7 +93,7 @@ bool Subject::follow(const Samples& samples, Track& track, const GoOn& go_on) {
     const std::uint64_t goal = share / samples.times.size();
     while (steps_ > 0 ? world_.steps() < goal : world_.time() < t) {
       const double before = world_.time();
-      steps_ > 0 ? world_.step(std::min(steps_at_once, goal - world_.steps())) : world_.advance_to(t, steps_at_once);
+      steps_ > 0 ? world_.step(std::min(steps, goal - world_.steps())) : world_.advance_to(t, steps);
       if (!go_on()) return false;
       if (world_.time() == before) return true;  // no step is small enough
     }

@@ -17,9 +17,13 @@ Scene scene_with(const Scene& scene, const Setting& setting);
 Setting setting_of(const Scene& scene);
 /// "rk4, step 0.001 s", "dormand_prince5, tolerance 1e-08, single"
 std::string text(const Setting& setting);
+/// "49.4 us"
+std::string time_text(double seconds);
 /// Whole steps of the setting in the duration; 0: it has none, or they do not fill it.
 std::uint64_t steps_in(double duration, double step);
 
+/// Steps that may pass between two questions whether to go on.
+std::uint64_t steps_at_once(std::size_t bodies);
 /// Asked now and then; false: stop.
 using GoOn = std::function<bool()>;
 

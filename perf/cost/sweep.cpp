@@ -1,9 +1,10 @@
 #include "perf/cost/sweep.h"
+#include "perf/timing.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,14 +13,14 @@ namespace ballpark::cost {
 
 namespace {
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+using perf::seconds_now;
 
 /// A curve that gained less than this over two points has met its rounding.
 constexpr double gain = 0.8;
 /// Points that gain nothing are kept: one shows where rounding begins.
 constexpr int idle_points = 1;
+/// Of each setting, before it is timed: one is looked at, one is not.
+constexpr double runs_to_check = 3;
 /// Curves that a sentence names.
 constexpr std::size_t most_named = 5;
 
@@ -37,14 +38,14 @@ class Walk {
     for (const Setting& setting : candidate.settings) {
       const double growth = before > 0 ? std::clamp(last / before, 1.1, 4.0) : 2.5;
       if (spent_ + last * growth > seconds) {
-        why_it_ended_ = fmt::format("{} of {}", pace(candidate.settings, &setting), curve.label);
+        why_it_ended_ = fmt::format("{} of {}", pace(&setting), curve.label);
         break;
       }
-      const double deadline = seconds_now() + 4 * seconds + 0.5;
+      const double begin = seconds_now(), deadline = begin + 4 * seconds + 0.5;
       Point point = measured_point(ground_, setting, [&] { return go_on_() && seconds_now() < deadline; });
       if (!go_on_()) return false;
       before = std::exchange(last, point.seconds.minimum);
-      spent_ += last;
+      spent_ += std::max(last, (seconds_now() - begin) / runs_to_check);
       point.curve = result_.curves.size();
       const bool counts = point.trouble.empty();
       const double error = point.error;
@@ -64,8 +65,7 @@ class Walk {
   const std::string& why_it_ended() const { return why_it_ended_; }
 
  private:
-  static std::string pace(const std::vector<Setting>& settings, const Setting* next) {
-    if (next == settings.data()) return "nothing";
+  static std::string pace(const Setting* next) {
     const Setting& finest = *(next - 1);
     return finest.tolerance > 0 ? fmt::format("{:.3g}", finest.tolerance) : fmt::format("{:.3g} s", finest.step);
   }
@@ -79,6 +79,24 @@ class Walk {
   std::string why_it_ended_;
 };
 
+/// What was tried and does not count, a sentence for each kind of trouble.
+void add_troubles(Result& result) {
+  constexpr const char* kinds[] = {"stability", "as large as the path", "takes too long", ""};
+  std::array<std::size_t, std::size(kinds)> counts{};
+  std::array<const Point*, std::size(kinds)> first{};
+  for (const Point& point : result.points) {
+    if (point.trouble.empty()) continue;
+    std::size_t kind = 0;
+    while (point.trouble.find(kinds[kind]) == std::string::npos) ++kind;
+    if (counts[kind]++ == 0) first[kind] = &point;
+  }
+  for (std::size_t kind = 0; kind < std::size(kinds); ++kind) {
+    if (counts[kind] == 0) continue;
+    result.left_out.push_back(fmt::format("{} setting{}; the first: {}: {}", counts[kind], counts[kind] == 1 ? "" : "s",
+                                          text(first[kind]->setting), first[kind]->trouble));
+  }
+}
+
 }  // namespace
 
 Point measured_point(const Ground& ground, const Setting& setting, const GoOn& go_on) {
@@ -91,6 +109,9 @@ Point measured_point(const Ground& ground, const Setting& setting, const GoOn& g
     return point;
   }
   point.trouble = subject.trouble();
+  const bool everywhere = std::all_of(track.known.begin(), track.known.end(), [](char known) { return known; });
+  if (point.trouble.empty() && !everywhere) point.trouble = "its steps do not meet the times that are looked at";
+  const std::uint64_t looked_at = subject.world().state_hash();
   point.errors = errors_of(track, ground.reference.track, subject.start());
   point.seconds = {subject.run(), 0, 0, 1};
   const Counters counters = subject.world().counters();
@@ -98,6 +119,9 @@ Point measured_point(const Ground& ground, const Setting& setting, const GoOn& g
   point.rejected_steps = counters.rejected_steps;
   point.force_evaluations = counters.force_evaluations;
   point.state_hash = fmt::format("{:016x}", subject.world().state_hash());
+  if (point.trouble.empty() && setting.step > 0 && looked_at != subject.world().state_hash()) {
+    point.trouble = "the run ended in other bits than the one looked at";
+  }
   Track end(ground.samples);  // that of the run that is timed
   end.look(subject.world(), ground.samples, ground.samples.times.size() - 1);
   const Errors straight = errors_of(end, ground.reference.track, subject.start());
@@ -143,6 +167,7 @@ bool sweep(const Ground& ground, const std::vector<Candidate>& list, const Sweep
   if (unfinished > 0) {
     result.left_out.push_back("finer steps and tolerances, for want of time (more: --seconds): below " + ended);
   }
+  add_troubles(result);
   if (skipped > 0) result.left_out.push_back(fmt::format("{} more curves: there was no time for them", skipped));
   return true;
 }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 #include "perf/cost/cost.h"
@@ -12,9 +11,7 @@ namespace ballpark::cost {
 
 namespace {
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+using perf::seconds_now;
 
 constexpr std::size_t most_memory = 2'000'000'000;  ///< of worlds that wait for their turns [B]
 constexpr double short_run = 1e-4;                  ///< shorter ones are repeated within a turn [s]
@@ -69,7 +66,7 @@ bool time_points(const Ground& ground, const std::vector<std::size_t>& which, co
     for (int round = 0; round < time.rounds || seconds_now() - begin < time.seconds * share; ++round) {
       for (std::size_t turn = 0; turn < runners.size(); ++turn) {
         runners[(turn + static_cast<std::size_t>(round)) % runners.size()]->take_turn();
-        if (!go_on((part + share * round / time.rounds) / whole)) return false;
+        if (!go_on(part / whole + share * std::min(1.0, double(round) / time.rounds))) return false;
       }
       if (runners.empty() || round > 100 * time.rounds) break;
     }

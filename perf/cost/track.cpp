@@ -89,13 +89,29 @@ void Track::look(const World& world, const Samples& samples, std::size_t time) {
   penetration = world.counters().max_penetration;
 }
 
-std::array<double, quantity_count> scale_of(const Track& track) {
-  std::array<double, quantity_count> scale{};
+std::array<double, quantity_count> size_of(const Track& track) {
+  std::array<double, quantity_count> size{};
   for (const BodyState& s : track.states) {
     const double turn = s.has_orientation ? 1 : 0;
     const double sizes[] = {s.position.norm(), s.velocity.norm(), turn, s.angular_velocity.norm()};
-    for (std::size_t q = 0; q < quantity_count; ++q) scale[q] = std::max(scale[q], sizes[q]);
+    for (std::size_t q = 0; q < quantity_count; ++q) size[q] = std::max(size[q], sizes[q]);
   }
+  return size;
+}
+
+std::array<double, quantity_count> scale_of(const Track& track, const Samples& samples) {
+  constexpr double at_rest = 1e-9, swing = 0.1;
+  std::array<double, quantity_count> scale = size_of(track);
+  const std::size_t bodies = samples.ids.size();
+  double farthest = 0;
+  for (std::size_t i = 0; i < track.states.size(); ++i) {
+    const BodyState& begin = samples.start.empty() ? track.states[i % bodies] : samples.start[i % bodies];
+    farthest = std::max(farthest, (track.states[i].position - begin.position).norm());
+  }
+  // Who is back at each look has moved in between.
+  const double between = swing * scale[1] * samples.times.back() / static_cast<double>(samples.times.size());
+  const double moved = farthest > at_rest * between ? farthest : between;
+  if (moved > at_rest * scale[0]) scale[0] = moved;
   return scale;
 }
 

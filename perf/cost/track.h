@@ -13,6 +13,7 @@ namespace ballpark::cost {
 struct Samples {
   std::vector<double> times;  ///< [s], ascending, the last one the end
   std::vector<std::size_t> ids;
+  std::vector<BodyState> start;  ///< of these bodies
 };
 /// `count` equal parts of the duration; all bodies of one copy, or as many as `most`, evenly spread.
 Samples samples_of(double duration, std::size_t bodies, std::size_t count, std::size_t most);
@@ -28,8 +29,10 @@ struct Track {
   void look(const World& world, const Samples& samples, std::size_t time);
 };
 
-/// The largest value along the path: of positions, how far bodies go from the first one's start (or from where it is).
-std::array<double, quantity_count> scale_of(const Track& track);
+/// The largest value along the path: what rounding is relative to.
+std::array<double, quantity_count> size_of(const Track& track);
+/// The same, but of positions how far bodies go from their start (as large as they are, if they stay).
+std::array<double, quantity_count> scale_of(const Track& track, const Samples& samples);
 
 /// Of `track` from `reference`, at the times that both know; energies and momenta from those of `start`.
 Errors errors_of(const Track& track, const Track& reference, const Totals& start);

@@ -24,7 +24,8 @@ std::string command_of(const Arguments& arguments) {
       {"--tolerances", arguments.tolerances},   {"--precisions", arguments.precisions},
       {"--contacts", arguments.axis_contacts},  {"--error", arguments.error},
       {"--reference", arguments.reference},     {"--seconds", arguments.seconds},
-      {"--tolerance", arguments.tolerance},     {"--budget", arguments.budget}};
+      {"--tolerance", arguments.tolerance},     {"--budget", arguments.budget},
+      {"--threads", arguments.threads},         {"--target", arguments.target}};
   for (const auto& [name, value] : options) {
     if (value) command += fmt::format(" {} {}", name, *value);
   }
@@ -51,6 +52,7 @@ Exit cost_of_accuracy(const Arguments& arguments) {
   const cost::Request request = cost_request(arguments, file.scene);
   check_memory(file.scene, request.options);
   if (!(file.scene.run.duration > 0)) throw UsageError("run.duration is 0: there is no error to measure");
+  if (body_count(file.scene) == 0) throw UsageError("the scene has no bodies: there is no error to measure");
   Delivery delivery(arguments);
   CostFiles files(arguments, file);
   watch_for_interrupt();
@@ -64,14 +66,15 @@ Exit cost_of_accuracy(const Arguments& arguments) {
   }
   if (interrupted()) return interrupted_exit;
   if (!result) {
-    complain("no reference was found: every way to run this scene ended badly");
+    complain("no reference was found: every run ended badly, or --seconds leaves no time for two of them");
     return check_failed;
   }
   result->command = command_of(arguments);
   delivery.text(cost_text(*result));
   const Json json = cost::to_json(*result);
   delivery.json(json.dump(2));
-  files.write(*result, json);
+  const std::string written = files.write(*result, json);
+  if (!written.empty()) delivery.text(written);
   return verdict(request, *result);
 }
 

@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "perf/cost/page.h"
 #include "perf/cost/result_json.h"
@@ -29,10 +30,12 @@ void open(std::optional<OutputFile>& file, const std::optional<std::string>& pat
   file.emplace(*path);
 }
 
-void deliver(std::optional<OutputFile>& file, const std::string& text) {
-  if (!file) return;
+/// Returns the line that says so.
+std::string deliver(std::optional<OutputFile>& file, const std::string& text) {
+  if (!file) return "";
   file->write(text);
   file->commit();
+  return "  wrote " + file->path() + "\n";
 }
 
 }  // namespace
@@ -49,20 +52,25 @@ CostFiles::CostFiles(const Arguments& arguments, const scenes::SceneFile& file)
   if (!arguments.overrides.empty()) {
     throw UsageError("--write needs the scene as its file has it: it does not go with --set");
   }
+  if (arguments.name != file.path) {
+    throw UsageError(fmt::format("--write needs the path of a scene file, not the name of a scenario: {}", file.path));
+  }
+  if (arguments.precisions && arguments.precisions->find("extended") != std::string::npos) {
+    throw UsageError("--write: a scene file takes no extended precision; expected --precisions of single and double");
+  }
   OutputFile probe(file.path);  // known before anything is measured
   with_setting(content_of(file.path), file, cost::setting_of(file.scene));
 }
 
-void CostFiles::write(const cost::Result& result, const Json& json) {
-  deliver(csv_, cost::to_csv(result));
-  deliver(svg_, cost::svg(result));
-  deliver(html_, cost::page(json.dump(), result.scenario));
-  if (!write_back_ || !result.recommended) return;
-  const std::string changed =
-      with_setting(content_of(file_.path), file_, result.points[result.recommended->point].setting);
-  OutputFile scene(file_.path);
-  scene.write(changed);
-  scene.commit();
+std::string CostFiles::write(const cost::Result& result, const Json& json) {
+  std::string said = deliver(csv_, cost::to_csv(result)) + deliver(svg_, cost::svg(result)) +
+                     deliver(html_, cost::page(json.dump(), result.scenario));
+  if (write_back_ && result.recommended) {
+    std::optional<OutputFile> scene(std::in_place, file_.path);
+    said +=
+        deliver(scene, with_setting(content_of(file_.path), file_, result.points[result.recommended->point].setting));
+  }
+  return said.empty() ? said : "\n" + said;
 }
 
 }  // namespace ballpark::command

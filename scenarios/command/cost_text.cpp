@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "perf/cost/choice.h"
 #include "perf/cost/subject.h"
@@ -122,25 +121,43 @@ void add_curves(Page& page, const Result& result) {
   page.table(table);
 }
 
-/// Of the finest fixed step of each integrator, in double: what a step costs.
-void add_prices(Page& page, const Result& result) {
-  std::map<double, std::pair<const Curve*, double>> by_price;
-  double euler = 0;
+/// What a step of a curve costs, by its finest setting that counts.
+struct Price {
+  const Curve* curve;
+  const Point* point;
+  double seconds() const { return point->seconds.minimum / static_cast<double>(point->steps); }
+};
+
+std::vector<Price> prices_of(const Result& result) {
+  std::vector<Price> prices;
   for (const Curve& curve : result.curves) {
-    const bool plain = curve.precision == Precision::double_ && !curve.points.empty();
-    const Point* point = plain ? &result.points[curve.points.back()] : nullptr;
-    if (!point || point->setting.step == 0 || point->seconds.minimum == 0 || point->steps == 0) continue;
-    const double price = point->seconds.minimum / static_cast<double>(point->steps);
-    if (point->setting.integrator == "euler") euler = price;
-    by_price[price] = {&curve, static_cast<double>(point->force_evaluations) / static_cast<double>(point->steps)};
+    const Point* finest = nullptr;
+    for (const std::size_t i : curve.points) {
+      const Point& point = result.points[i];
+      if (point.setting.step > 0 && point.steps > 0 && cost::counts(point)) finest = &point;
+    }
+    if (finest && curve.precision == Precision::double_) prices.push_back({&curve, finest});
   }
-  if (by_price.empty()) return;
+  std::sort(prices.begin(), prices.end(), [](const Price& a, const Price& b) { return a.seconds() < b.seconds(); });
+  return prices;
+}
+
+void add_prices(Page& page, const Result& result) {
+  const std::vector<Price> prices = prices_of(result);
+  if (prices.empty()) return;
   page.heading("Price of a step");
   Table table{{{"integrator", wrap}, {"evaluations", right}, {"ns a body-step", right}, {"of euler's", right}}, {}};
-  for (const auto& [price, entry] : by_price) {
-    table.rows.push_back({entry.first->label, number(entry.second, 3),
-                          number(1e9 * price / static_cast<double>(result.bodies), 4),
-                          euler > 0 ? fmt::format("{:.2f}", price / euler) : "-"});
+  for (const Price& price : prices) {
+    const cost::Setting& setting = price.point->setting;
+    std::string of_euler = "-";  // with the same contacts
+    for (const Price& other : prices) {
+      const cost::Setting& euler = other.point->setting;
+      const bool alike = euler.iterations == setting.iterations && euler.substeps == setting.substeps;
+      if (euler.integrator == "euler" && alike) of_euler = fmt::format("{:.2f}", price.seconds() / other.seconds());
+    }
+    const auto steps = static_cast<double>(price.point->steps);
+    table.rows.push_back({price.curve->label, number(static_cast<double>(price.point->force_evaluations) / steps, 3),
+                          number(1e9 * price.seconds() / static_cast<double>(result.bodies), 4), of_euler});
   }
   page.table(table);
 }
@@ -170,6 +187,7 @@ std::string cost_text(const Result& result) {
   }
   if (!result.crossovers.empty()) text.heading("Crossovers");
   text.list(result.crossovers);
+  if (!any) text.paragraph("No setting that was tried gives an answer: see what was left out, and why.");
   if (!result.left_out.empty()) text.heading("Left out");
   text.list(result.left_out);
   if (result.recommended) {

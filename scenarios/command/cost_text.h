@@ -24,7 +24,8 @@ double overall(const std::string& what, double fraction);
 class CostFiles {
  public:
   CostFiles(const Arguments& arguments, const scenes::SceneFile& file);
-  void write(const cost::Result& result, const Json& json);
+  /// What was written, as lines of text.
+  std::string write(const cost::Result& result, const Json& json);
 
  private:
   std::optional<OutputFile> csv_, svg_, html_;

@@ -94,11 +94,14 @@ inline constexpr const char* cost =
     "if every body has one; else against extrapolation in extended precision at two\n"
     "tolerances; else against the finest of two runs. No error below ten times the\n"
     "reference's own is claimed. Whole runs are timed in turns, from the scene's\n"
-    "start, on the code path of `ballpark run`; errors are looked at 20 times.\n"
+    "start, on the code path of `ballpark run`; errors are looked at 20 times, for\n"
+    "tolerances in a run that lands there.\n"
     "\n"
     "--tolerance: with a margin of 2, and proved by a fresh run; exit code 1 if\n"
     "nothing that was tried is accurate enough. --write changes integrator, step or\n"
-    "tolerance, precision and contact settings in the scene file, and nothing else.\n";
+    "tolerances, precision and contact settings in the scene file, and nothing else.\n"
+    "Where runs that start almost alike part (chaos), only the time before that is\n"
+    "compared, and said; statistics beyond it are not taken yet.\n";
 
 inline constexpr const char* order =
     "Example:\n"

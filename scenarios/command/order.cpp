@@ -38,6 +38,11 @@ Cell verdict(const cost::ObservedOrder& row) {
   return off > full ? Cell("more", Style::good) : Cell("its order", Style::good);
 }
 
+std::string finest_error(const cost::ObservedOrder& row, double floor) {
+  if (row.errors.empty()) return "-";
+  return fmt::format("{}{:.1e}", row.errors.back() < floor ? "< " : "", std::max(row.errors.back(), floor));
+}
+
 std::string order_text(const cost::OrderStudy& study) {
   Page text = page();
   text.heading(study.about.scenario);
@@ -49,7 +54,7 @@ std::string order_text(const cost::OrderStudy& study) {
   for (const cost::ObservedOrder& row : study.rows) {
     table.rows.push_back({row.integrator, number(row.order),
                           Cell(row.observed ? fmt::format("{:.2f}", *row.observed) : "-", Style::strong), verdict(row),
-                          row.errors.empty() ? "-" : fmt::format("{:.1e}", row.errors.back()), slopes_text(row)});
+                          finest_error(row, study.about.floor), slopes_text(row)});
   }
   text.table(table);
   text.paragraph("Errors near rounding, and those too large to follow a power of the step, do not count.");
@@ -88,6 +93,7 @@ Exit order_of_accuracy(const Arguments& arguments) {
   if (!arguments.seconds) request.seconds = 20;
   check_memory(file.scene, request.options);
   if (!(file.scene.run.duration > 0)) throw UsageError("run.duration is 0: there is no error to measure");
+  if (body_count(file.scene) == 0) throw UsageError("the scene has no bodies: there is no error to measure");
   Delivery delivery(arguments);
   watch_for_interrupt();
   std::optional<cost::OrderStudy> study;
@@ -100,7 +106,7 @@ Exit order_of_accuracy(const Arguments& arguments) {
   }
   if (interrupted()) return interrupted_exit;
   if (!study) {
-    complain("no reference was found: every way to run this scene ended badly");
+    complain("no reference was found: every run ended badly, or --seconds leaves no time for two of them");
     return check_failed;
   }
   delivery.text(order_text(*study));

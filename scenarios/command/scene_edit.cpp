@@ -17,7 +17,13 @@ class SceneText {
  public:
   SceneText(const std::string& text, const scenes::SceneFile& file) : file_(file) {
     std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines_.push_back({line, {}, false});
+    for (std::string line; std::getline(stream, line);) {
+      const bool returns = line.ends_with('\r');
+      if (returns) line.pop_back();
+      if (returns) end_ = "\r\n";
+      lines_.push_back({line, {}, false});
+    }
+    ends_open_ = !text.ends_with('\n');
   }
 
   bool has(const std::string& table, const std::string& key) const {
@@ -54,9 +60,10 @@ class SceneText {
   std::string text() const {
     std::string all;
     for (const Line& line : lines_) {
-      if (!line.removed) all += line.text + "\n";
-      for (const std::string& more : line.below) all += more + "\n";
+      if (!line.removed) all += line.text + end_;
+      for (const std::string& more : line.below) all += more + end_;
     }
+    if (ends_open_ && all.ends_with(end_)) all.erase(all.size() - end_.size());
     return all;
   }
 
@@ -82,6 +89,8 @@ class SceneText {
 
   const scenes::SceneFile& file_;
   std::vector<Line> lines_;
+  std::string end_ = "\n";  ///< of a line
+  bool ends_open_ = false;  ///< the last line has none
 };
 
 void put(SceneText& text, const std::string& table, const std::string& neighbour, const std::string& key,

@@ -123,6 +123,7 @@ class Cost(CommandTest):
                 (["--tolerance", "1", "--budget", "1"], ["exclude each other"]),
                 (["--budget", "2 weeks"], ["--budget"]),
                 (["--write"], ["--write needs --tolerance"]),
+                (["--write", "--tolerance", "1", "--precisions", "extended"], ["extended"]),
                 (["--copies", "2"], ["--copies"]),
                 (["--csv", "swing.toml"], ["would lose it"]),
                 (["--svg", "nowhere/a.svg"], ["no folder"]),
@@ -130,6 +131,16 @@ class Cost(CommandTest):
                 (["--set", "run.duration=0"], ["duration"])]:
             self.refused("cost", self.swing, *words, says=says)
         self.assertEqual((self.folder / "swing.toml").read_text(), SWING)
+        self.refused("cost", "pendulum", "--write", "--tolerance", "1", says="path of a scene file")
+        empty = self.write("empty.toml", "[run]\nduration = 1.0\nstep = 0.5\n")
+        self.refused("cost", empty, says="no bodies")
+        self.refused("order", empty, says="no bodies")
+
+    def test_what_does_not_count_is_said(self):
+        text = self.call("cost", self.swing, "--integrators", "euler", "--steps", "1,0.5", "--precisions", "double",
+                         "--seconds", "0.5").stdout
+        self.assertIn("No setting that was tried gives an answer", text)
+        self.assertIn("2 settings; the first: euler, step 1 s", text)
 
 
 class Order(CommandTest):

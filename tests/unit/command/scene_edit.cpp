@@ -62,6 +62,14 @@ TEST_CASE("contact settings are written where they differ", "[cost]") {
   CHECK(changed.find("kind = \"impulse\"\nsubsteps = 2\niterations = 4\n") != std::string::npos);
 }
 
+TEST_CASE("line ends stay as they are, and so does a last line without one", "[cost]") {
+  const std::string text =
+      "[run]\r\nduration = 1.0\r\nstep = 0.5\r\n[[bodies]]\r\nmass = 1.0\r\nposition = [[1.0, 0.0, 0.0]]";
+  CHECK(edited(text, by_step("euler", 0.25)) ==
+        "[run]\r\nduration = 1.0\r\nintegrator = \"euler\"\r\nstep = 0.25\r\n[[bodies]]\r\nmass = "
+        "1.0\r\nposition = [[1.0, 0.0, 0.0]]");
+}
+
 TEST_CASE("a file that can't be edited line by line is refused, and nothing is lost", "[cost]") {
   const std::string text = "run = { duration = 1.0, step = 0.5 }\n" + bodies;  // no place for an integrator
   CHECK_THROWS_AS(edited(text, by_step("euler", 0.5)), UsageError);

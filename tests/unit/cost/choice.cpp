@@ -46,7 +46,6 @@ TEST_CASE("front: nothing on it is beaten in both, nothing off it is unbeaten", 
   Result result = two_curves();
   result.points[11].seconds.minimum *= 1.01;   // as good as another one, but for this
   result.points.push_back(point(0, 1e-3, 1));  // slow
-  result.points.back().trouble = "";
   const auto front = mark_front(result);
   REQUIRE(front.size() == 8);
   for (std::size_t i = 0; i < result.points.size(); ++i) {
@@ -77,7 +76,7 @@ TEST_CASE("crossovers: told where they are, with the gain where both end", "[cos
   const std::vector<std::string> sentences = crossovers(two_curves());
   REQUIRE(sentences.size() == 1);
   // Worth telling where the gain is a quarter: a little below 1e-4; at 1e-8 it is 10 times.
-  CHECK(sentences[0] == "below 4e-05 m fourth is cheaper than second, by 10.0 times at 1e-08 m");
+  CHECK(sentences[0] == "below 4e-05 m fourth is cheaper than second, by up to 10.0 times, at 1e-08 m");
 }
 
 TEST_CASE("crossovers: none is claimed outside what both were measured at", "[cost]") {
@@ -87,9 +86,18 @@ TEST_CASE("crossovers: none is claimed outside what both were measured at", "[co
   const auto sentences = crossovers(result);
   REQUIRE(sentences.size() == 1);
   CHECK(sentences[0].find("times") == std::string::npos);
-  CHECK(sentences[0].find("was not measured there") != std::string::npos);
-  CHECK(comparison(result, "fourth", "second").empty());
+  CHECK(sentences[0].find("second does not come so far") != std::string::npos);
+  CHECK(comparison(result, "fourth", "third").empty());
   CHECK(comparison(two_curves(), "fourth", "second") == "at 1e-08 m second takes 10 times as long as fourth");
+}
+
+TEST_CASE("crossovers: the cheapest at every error is what the front says, and a floor of 0 ends too", "[cost]") {
+  Result result = two_curves();
+  result.curves[1].points.erase(result.curves[1].points.begin(), result.curves[1].points.begin() + 4);   // from 1e-5 on
+  for (const std::size_t i : result.curves[1].points) result.points[i].seconds = {1e-6, 1e-6, 1e-6, 9};  // cheap
+  result.floor = 0;
+  const auto sentences = crossovers(result);  // nothing is cheaper than the second curve, however coarse
+  CHECK(sentences.empty());
 }
 
 TEST_CASE("settings accurate enough keep the margin, and the fastest comes first", "[cost]") {

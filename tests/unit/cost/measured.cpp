@@ -146,6 +146,54 @@ TEST_CASE("sweep: finer points of a curve are more accurate until rounding, and 
   CHECK(result->paths[0].points.size() > 100);
 }
 
+TEST_CASE("scales: how far bodies go from their start, wherever that is", "[cost]") {
+  Samples samples = samples_of(2, 1, 2, 1);
+  samples.start.resize(1);
+  samples.start[0].position = {1e4, 0, 0};
+  Track track(samples);
+  for (BodyState& state : track.states) state.position = {1e4 + 3, 4, 0};
+  CHECK(scale_of(track, samples)[0] == 5);
+  CHECK(size_of(track)[0] > 1e4);
+  for (BodyState& state : track.states) state.position = {1e4, 0, 0};  // back at each look, but not at rest
+  for (BodyState& state : track.states) state.velocity = {0, 50, 0};
+  CHECK(scale_of(track, samples)[0] == 5);
+  for (BodyState& state : track.states) state.velocity = {0, 0, 0};
+  CHECK(scale_of(track, samples)[0] == 1e4);
+}
+
+TEST_CASE("looks: at whole steps of the scene, else nothing is said of it", "[cost]") {
+  Scene scene = scenario("oscillator");
+  scene.run.duration = 1;
+  scene.run.step = 1.0 / 64;
+  const auto ground = ground_for(scene, {}, always);
+  REQUIRE(ground);
+  CHECK(ground->samples.times.size() == 16);
+  CHECK(measured_point(*ground, fixed("rk4", scene, 64), always).trouble.empty());
+  const Point between = measured_point(*ground, fixed("rk4", scene, 71), always);
+  CHECK(between.trouble.find("do not meet the times") != std::string::npos);
+}
+
+TEST_CASE("bodies that only turn: the two finest runs go on until the angle has settled", "[cost]") {
+  Scene scene = scenario("free_top");
+  GroundRequest request;
+  request.reference = "runs";
+  request.seconds = 2;
+  const auto ground = ground_for(scene, request, always);
+  REQUIRE(ground);
+  CHECK(ground->measure.quantity == Quantity::orientation);
+  CHECK(ground->about.reference.error_bar[2] < 1e-10);
+}
+
+TEST_CASE("horizon: random starts and steps too long are no chaos", "[cost]") {
+  Scene gas = scenario("gas");
+  gas.run.duration = 0.05;  // before spheres meet often
+  CHECK_FALSE(find_horizon(gas, {}, always));
+  Scene growing = scenario("oscillator");
+  growing.run.integrator = "euler";
+  growing.run.step = 0.5;
+  CHECK_FALSE(find_horizon(growing, {}, always));
+}
+
 TEST_CASE("horizon: runs of a break part, those of an orbit do not", "[cost]") {
   CHECK_FALSE(find_horizon(scenario("kepler"), {}, always));
   const auto horizon = find_horizon(scenario("break"), {}, always);

@@ -111,6 +111,9 @@ std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& reques
   if (!reference) return std::nullopt;
   ground.reference = std::move(*reference);
   settle_measure(ground, request.measure);
+  // A reference that may itself be wrong by as much as things go tells nothing.
+  const auto quantity = static_cast<std::size_t>(ground.measure.quantity);
+  if (!(ground.about.floor <= 10 * ground.about.reference.scale[quantity])) return std::nullopt;
   return ground;
 }
 

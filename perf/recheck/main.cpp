@@ -38,7 +38,9 @@ class Rerun {
     }
   }
   ballpark::perf::Samples samples() const { return ballpark::perf::Samples(seconds_); }
-  bool same_bits() const { return fmt::format("{:016x}", world_.state_hash()) == point_["state_hash"]; }
+  bool same_bits() const {
+    return fmt::format("{:016x}", world_.state_hash()) == point_["state_hash"].get<std::string>();
+  }
   std::string text() const {
     const std::string pace = scene_.run.step > 0 ? fmt::format("step {:g} s", scene_.run.step)
                                                  : fmt::format("tolerance {:g}", scene_.run.tolerance);

@@ -66,7 +66,10 @@ Exit cost_of_accuracy(const Arguments& arguments) {
   }
   if (interrupted()) return interrupted_exit;
   if (!result) {
-    complain("no reference was found: every run ended badly, or --seconds leaves no time for two of them");
+    complain(
+        "no reference was found: runs ended badly, or the two finest that --seconds leaves time for do not agree; try "
+        "more "
+        "time, or a shorter run.duration");
     return check_failed;
   }
   result->command = command_of(arguments);

@@ -106,7 +106,10 @@ Exit order_of_accuracy(const Arguments& arguments) {
   }
   if (interrupted()) return interrupted_exit;
   if (!study) {
-    complain("no reference was found: every run ended badly, or --seconds leaves no time for two of them");
+    complain(
+        "no reference was found: runs ended badly, or the two finest that --seconds leaves time for do not agree; try "
+        "more "
+        "time, or a shorter run.duration");
     return check_failed;
   }
   delivery.text(order_text(*study));

@@ -77,10 +77,6 @@ std::vector<std::pair<int, int>> contacts_of(const Scene& scene, const Axes& axe
 /// Impulse contacts are of first order whatever moves the bodies between them: a few integrators tell all.
 constexpr const char* enough_for_contacts[] = {"semi_implicit_euler", "velocity_verlet", "rk4", "euler"};
 
-}  // namespace
-
-namespace {
-
 std::vector<std::string> ranked_integrators(const Scene& scene) {
   std::vector<std::string> names{scene.run.integrator};
   const auto add = [&](const std::string& name) {
@@ -141,7 +137,7 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
   if (axes.integrators.empty() && scene.contact.kind == "impulse") {
     refused.push_back("more integrators: impulse contacts are of first order under all of them (--integrators)");
   }
-  if (axes.integrators.empty() && axes.precisions.empty()) {
+  if (axes.integrators.empty() && axes.precisions.empty() && names.size() > enough_in_single) {
     refused.push_back("single precision of more than six integrators (--precisions single,double)");
   }
   return list;

@@ -68,8 +68,9 @@ class Study {
         return a.step != b.step ? a.step > b.step : a.tolerance > b.tolerance;
       };
       const auto place = std::lower_bound(candidate.settings.begin(), candidate.settings.end(), setting, finer);
-      const bool there =
-          place != candidate.settings.end() && std::abs(place->step - setting.step) < 1e-9 * setting.step;
+      const bool there = place != candidate.settings.end() &&
+                         std::abs(place->step - setting.step) <= 1e-9 * setting.step &&
+                         std::abs(place->tolerance - setting.tolerance) <= 1e-9 * setting.tolerance;
       if (!there) candidate.settings.insert(place, setting);
       return;
     }

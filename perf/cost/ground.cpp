@@ -105,6 +105,9 @@ std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& reques
   if (!reference) {
     const double end = seconds_now() + request.seconds / 2;
     stay_inside_horizon(ground, request.steps, [&] { return go_on() && seconds_now() < end; });
+    if (!ground.about.horizon && seconds_now() >= end) {
+      ground.about.left_out.push_back("whether runs part (chaos), and how soon: for want of time (more: --seconds)");
+    }
     const auto find = request.reference == "runs" ? finest_runs : numerical_reference;
     reference = find(ground.scene, ground.samples, ground.options, request.seconds, go_on);
   }

@@ -1,5 +1,4 @@
 #include "perf/cost/sweep.h"
-#include "perf/timing.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "perf/timing.h"
 
 namespace ballpark::cost {
 

@@ -50,9 +50,6 @@ Exit verdict(const cost::Request& request, const cost::Result& result) {
 Exit cost_of_accuracy(const Arguments& arguments) {
   const scenes::SceneFile file = load_scene(arguments);
   const cost::Request request = cost_request(arguments, file.scene);
-  check_memory(file.scene, request.options);
-  if (!(file.scene.run.duration > 0)) throw UsageError("run.duration is 0: there is no error to measure");
-  if (body_count(file.scene) == 0) throw UsageError("the scene has no bodies: there is no error to measure");
   Delivery delivery(arguments);
   CostFiles files(arguments, file);
   watch_for_interrupt();
@@ -66,10 +63,7 @@ Exit cost_of_accuracy(const Arguments& arguments) {
   }
   if (interrupted()) return interrupted_exit;
   if (!result) {
-    complain(
-        "no reference was found: runs ended badly, or the two finest that --seconds leaves time for do not agree; try "
-        "more "
-        "time, or a shorter run.duration");
+    complain(no_reference);
     return check_failed;
   }
   result->command = command_of(arguments);

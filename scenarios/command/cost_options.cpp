@@ -130,6 +130,9 @@ double duration_of(const std::string& option, const std::string& text) {
 cost::Request cost_request(const Arguments& arguments, const Scene& scene) {
   cost::Request request;
   request.options = run_options(arguments);
+  check_memory(scene, request.options);
+  if (!(scene.run.duration > 0)) throw UsageError("run.duration is 0: there is no error to measure");
+  if (body_count(scene) == 0) throw UsageError("the scene has no bodies: there is no error to measure");
   if (request.options.copies > 1) throw UsageError("--copies: cost measures one copy of the scene");
   request.axes = axes_of(arguments, scene);
   if (arguments.error) request.measure = measure_of(*arguments.error);

@@ -91,9 +91,6 @@ Exit order_of_accuracy(const Arguments& arguments) {
   const scenes::SceneFile file = load_scene(arguments);
   cost::Request request = cost_request(arguments, file.scene);
   if (!arguments.seconds) request.seconds = 20;
-  check_memory(file.scene, request.options);
-  if (!(file.scene.run.duration > 0)) throw UsageError("run.duration is 0: there is no error to measure");
-  if (body_count(file.scene) == 0) throw UsageError("the scene has no bodies: there is no error to measure");
   Delivery delivery(arguments);
   watch_for_interrupt();
   std::optional<cost::OrderStudy> study;
@@ -106,10 +103,7 @@ Exit order_of_accuracy(const Arguments& arguments) {
   }
   if (interrupted()) return interrupted_exit;
   if (!study) {
-    complain(
-        "no reference was found: runs ended badly, or the two finest that --seconds leaves time for do not agree; try "
-        "more "
-        "time, or a shorter run.duration");
+    complain(no_reference);
     return check_failed;
   }
   delivery.text(order_text(*study));

@@ -136,6 +136,13 @@ class Cost(CommandTest):
         self.refused("cost", empty, says="no bodies")
         self.refused("order", empty, says="no bodies")
 
+    def test_no_setting_is_tried_twice(self):
+        for own in (["run.tolerance=1e-8"], ["run.step=0.1"]):
+            words = [word for key in ["run.integrator=dormand_prince5", *own] for word in ("--set", key)]
+            points = self.json("cost", self.swing, *words, "--seconds", "1")["points"]
+            settings = [(p["integrator"], p["step"], p["tolerance"], p["precision"]) for p in points]
+            self.assertEqual(len(settings), len(set(settings)))
+
     def test_what_does_not_count_is_said(self):
         text = self.call("cost", self.swing, "--integrators", "euler", "--steps", "1,0.5", "--precisions", "double",
                          "--seconds", "0.5").stdout

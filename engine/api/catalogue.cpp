@@ -45,7 +45,16 @@ const std::vector<NamedDescription>& contacts() {
 
 const std::vector<NamedDescription>& rotations() {
   static const std::vector<NamedDescription> all = {
-      {"renormalise", "quaternion rate in the integrator's stages, normalised after each step"}};
+      {"renormalise", "quaternion rate in the integrator's stages, normalised after each step; every integrator"},
+      {"exponential",
+       "the exponential map inside the stages (Munthe-Kaas): keeps the quaternion's length, exact for a steady spin; "
+       "explicit Runge-Kutta and splitting integrators"},
+      {"splitting",
+       "free rotation between kicks by Strang splitting about the principal axes, composed to the integrator's order: "
+       "exact for balls and bodies with an axis of symmetry; splitting integrators"},
+      {"body",
+       "angular momentum in the body's axes, for needles, whose small spins are lost in space; explicit Runge-Kutta "
+       "integrators, without contacts"}};
   return all;
 }
 

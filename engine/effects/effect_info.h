@@ -2,6 +2,9 @@
 //   Constants                                    its parameters as Real, packed once at build
 //   force(constants, body, loads)                adds to the loads; a template on the vector type
 //   force_rate(constants, body, a, load_rates)   optional: adds the time derivative of its loads (Taylor-2)
+//   turning(constants, body)                     optional: W [1/s] of the part m W x v of its force, which then is all
+//   of
+//                                                it that reads velocity (Boris)
 //   energy(constants, body)                      optional: potential energy
 //   Constants::window                            optional: when it acts; steps are split at its ends
 //   Constants::rows                              optional: acts on one body or all
@@ -138,6 +141,9 @@ EffectInfo effect_info() {
                 }) {
     info.description.has_force_derivative = true;
   }
+  info.description.turns_velocity = requires(const Constants& c, const Body<Real>& b) {
+    E::turning(c, b);
+  };
   if constexpr (requires(const EffectInput& input) { E::stiffness(input); }) info.stiffness = &E::stiffness;
   if constexpr (requires(Constants & c) { c.window; }) {
     info.window = [](void* c) { return &static_cast<Constants*>(c)->window; };

@@ -35,7 +35,8 @@ struct EffectInstance {
 struct LocalForces {
   const EffectInstance *begin = nullptr, *end = nullptr;  ///< by effect
   SumColumns sums;
-  bool read_position = true;  ///< does any of them?
+  bool read_position = true;   ///< does any of them?
+  bool turning_apart = false;  ///< loads() leaves out what turning() tells
 
   template <class V>
   BALLPARK_INLINE Loads<V> loads(const Body<V>& body) const {
@@ -43,8 +44,24 @@ struct LocalForces {
     if (sums.force[0]) sum.force = from_columns<V>(sums.force, body.row);
     if (sums.torque[0]) sum.torque = from_columns<V>(sums.torque, body.row);
     for (const EffectInstance* at = begin; at != end; ++at) {
-      of_kind(LocalEffects{}, *at,
-              [&]<class E>(const typename E::Constants& c) BALLPARK_INLINE_LAMBDA { E::force(c, body, sum); });
+      of_kind(LocalEffects{}, *at, [&]<class E>(const typename E::Constants& c) BALLPARK_INLINE_LAMBDA {
+        if constexpr (requires { E::turning(c, body); }) {
+          if (turning_apart) return E::force(c, at_rest(body), sum);
+        }
+        E::force(c, body, sum);
+      });
+    }
+    return sum;
+  }
+
+  /// W of all that turns velocities, dv/dt = W x v [1/s].
+  template <class V>
+  BALLPARK_INLINE Vector3<V> turning(const Body<V>& body) const {
+    Vector3<V> sum;
+    for (const EffectInstance* at = begin; at != end; ++at) {
+      of_kind(LocalEffects{}, *at, [&]<class E>(const typename E::Constants& c) BALLPARK_INLINE_LAMBDA {
+        if constexpr (requires { E::turning(c, body); }) sum += E::turning(c, body);
+      });
     }
     return sum;
   }
@@ -62,6 +79,11 @@ struct LocalForces {
   }
 
  private:
+  template <class V>
+  BALLPARK_INLINE static Body<V> at_rest(Body<V> body) {
+    body.velocity = {};
+    return body;
+  }
   template <class V>
   BALLPARK_INLINE static Vector3<V> from_columns(Real* const (&columns)[3], std::size_t row) {
     return {load<V>(columns[0] + row), load<V>(columns[1] + row), load<V>(columns[2] + row)};

@@ -16,6 +16,11 @@ struct MagneticField {
   }
 
   template <class V>
+  BALLPARK_INLINE static Vector3<V> turning(const Constants& c, const Body<V>& body) {
+    return (V(Real(-1)) / body.mass) * Vector3<V>{V(c.field.x), V(c.field.y), V(c.field.z)};
+  }
+
+  template <class V>
   BALLPARK_INLINE static void force_rate(const Constants& c, const Body<V>&, const Acceleration<V>& a, Loads<V>& rate) {
     rate.force += cross(a.linear, {V(c.field.x), V(c.field.y), V(c.field.z)});
   }

@@ -9,7 +9,7 @@
 namespace ballpark::BALLPARK_PRECISION {
 
 struct PivotedMotion {
-  static constexpr bool spins = true, turns = true;
+  static constexpr bool spins = true, turns = true, by_vector = false, special = false;
   static constexpr int position_end = 0, momentum = 0, quaternion = 3, size = 7;
   static constexpr int momenta_begin = 0, momenta_end = 3;
 
@@ -18,6 +18,7 @@ struct PivotedMotion {
     std::size_t row;
     V mass, inverse_inertia[6];
     Vector3<V> arm, pivot;
+    PrincipalAxes<V> axes;
   };
 
   template <class V>
@@ -28,6 +29,11 @@ struct PivotedMotion {
     for (int i = 0; i < 6; ++i) k.inverse_inertia[i] = c.inverse_inertia[i].at<V>(row);
     k.arm = vector_at<V>(c.arm, row);
     k.pivot = vector_at<V>(c.pivot, row);
+    for (int i = 0; i < 3; ++i) {
+      const PerBody* axis = c.principal + 3 * i;
+      k.axes.axis[i] = {axis[0].at<V>(row), axis[1].at<V>(row), axis[2].at<V>(row)};
+      k.axes.rate[i] = c.principal[9 + i].at<V>(row);
+    }
     return k;
   }
 
@@ -50,10 +56,18 @@ struct PivotedMotion {
   }
 
   template <class V>
+  BALLPARK_INLINE static void begin_again(const Constants<V>&, V*) {}
+
+  template <class V>
   BALLPARK_INLINE static V spin_per_momentum(const Constants<V>& k) {
     V most = k.inverse_inertia[0];
     for (int i = 1; i < 3; ++i) most = select(k.inverse_inertia[i] > most, k.inverse_inertia[i], most);
     return most;
+  }
+
+  template <class V>
+  BALLPARK_INLINE static const PrincipalAxes<V>& principal(const Constants<V>& k) {
+    return k.axes;
   }
 
   template <class V>

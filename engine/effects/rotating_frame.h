@@ -25,6 +25,11 @@ struct RotatingFrame {
   }
 
   template <class V>
+  BALLPARK_INLINE static Vector3<V> turning(const Constants& c, const Body<V>&) {
+    return V(Real(-2)) * lanes_of<V>(c.rate);
+  }
+
+  template <class V>
   BALLPARK_INLINE static void force_rate(const Constants& c, const Body<V>& body, const Acceleration<V>& a,
                                          Loads<V>& loads) {
     const Vector3<V> rate = lanes_of<V>(c.rate);

@@ -20,13 +20,12 @@ BALLPARK_INLINE V square(const V* a, int count) {
   return sum;
 }
 
-/// |e|^2 / (absolute + relative max(|y|, |y'|))^2 of one quantity of `count` values; of two estimates, the one that
-/// Hairer, Norsett & Wanner (II.10, dop853) make of them: |e|^2 / sqrt(|e|^2 + 0.01 |e'|^2) in place of |e|. `unit`
-/// times the quantity is what the tolerance is of.
+/// |e|^2 / (absolute + relative max(|y|, |y'|))^2 of one quantity of `count` values and that length; of two estimates,
+/// the one that Hairer, Norsett & Wanner (II.10, dop853) make of them: |e|^2 / sqrt(|e|^2 + 0.01 |e'|^2) in place of
+/// |e|. `unit` times the quantity is what the tolerance is of.
 template <class V>
-BALLPARK_INLINE V over_tolerance(const Method& m, const V* y, const V* next, const V (*error)[max_errors], int count,
+BALLPARK_INLINE V over_tolerance(const Method& m, const V& length, const V (*error)[max_errors], int count,
                                  const V& unit) {
-  const V length = square_root(larger(square(y, count), square(next, count)));
   const V share = unit / (V(m.absolute) + V(m.relative) * unit * length);  // first, so that no square underflows
   V parts[max_errors] = {V(Real(0)), V(Real(0))};
   for (int e = 0; e < m.errors; ++e) {
@@ -46,14 +45,19 @@ BALLPARK_INLINE V over_tolerance(const Method& m, const Constants& c, const V* y
   const V one = V(Real(1));
   V worst = V(Real(0));
   const auto judge = [&](int at, int count, const V& unit) BALLPARK_INLINE_LAMBDA {
-    worst = larger(worst, over_tolerance(m, y + at, next.y + at, error + at, count, unit));
+    const V length = square_root(larger(square(y + at, count), square(next.y + at, count)));
+    worst = larger(worst, over_tolerance(m, length, error + at, count, unit));
   };
   if constexpr (M::position_end > 0) {
     judge(0, 3, one);
     judge(M::position_end, 3, one);
   }
   if constexpr (M::spins) judge(M::momentum, 3, M::spin_per_momentum(c));
-  if constexpr (M::turns) judge(M::quaternion, 4, V(Real(2)));
+  if constexpr (M::turns && M::by_vector) {  // as much as of a quaternion, whose length is 1 and turns by half
+    worst = larger(worst, over_tolerance(m, V(Real(2)), error + M::quaternion, 3, one));
+  } else if constexpr (M::turns) {
+    judge(M::quaternion, 4, V(Real(2)));
+  }
   return worst;
 }
 

@@ -50,7 +50,7 @@ struct State {
 
   /// Normalises the quaternion, if the motion has one.
   BALLPARK_INLINE void normalise() {
-    if constexpr (M::turns) {
+    if constexpr (M::turns && !M::by_vector) {
       V* q = y + M::quaternion;
       const V scale = inverse_length(q);
       for (int c = 0; c < 4; ++c) {
@@ -90,9 +90,9 @@ struct ExplicitRungeKutta {
   static constexpr bool prepare_moves = false;  ///< does prepare change the state itself?
   static constexpr bool embeds = true;          ///< may it estimate its error?
 
-  template <class S, class V, class Constants, class Rates>
-  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants&, S& state, const Rates& k,
-                                      V* trial) {
+  template <class S, class V, class Constants, class Forces, class Rates>
+  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants&, const Forces&, S& state,
+                                      const Rates& k, V* trial) {
     copy<S::size>(state.y, trial);
     for (int j = 0; j < phase; ++j) {
       if (m.a[phase][j] == 0) continue;
@@ -137,7 +137,7 @@ struct ExplicitRungeKutta {
       evaluate<M>(forces, c, state.y, k.values[0]);
     }
     for (int p = 1; p < m.phases; ++p) {
-      prepare(m, p, c, state, k, trial);
+      prepare(m, p, c, forces, state, k, trial);
       evaluate<M>(forces, c, trial, k.values[p]);
     }
     if (m.keeps_first) kept.write(0, k.values[0]);
@@ -177,8 +177,9 @@ struct Taylor {
   static constexpr bool prepare_moves = false;
   static constexpr bool embeds = false;
 
-  template <class S, class V, class Constants, class Rates>
-  BALLPARK_INLINE static void prepare(const Method&, int, const Constants&, S& state, const Rates&, V* trial) {
+  template <class S, class V, class Constants, class Forces, class Rates>
+  BALLPARK_INLINE static void prepare(const Method&, int, const Constants&, const Forces&, S& state, const Rates&,
+                                      V* trial) {
     copy<S::size>(state.y, trial);
   }
 
@@ -208,13 +209,13 @@ struct Splitting {
   static constexpr bool prepare_moves = true;
   static constexpr bool embeds = false;
 
-  template <class S, class Constants, class Rates, class V>
-  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants& c, S& state, const Rates& k,
-                                      V* trial) {
+  template <class S, class Constants, class Forces, class Rates, class V>
+  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants& c, const Forces& forces, S& state,
+                                      const Rates& k, V* trial) {
     if (phase > 0) {
-      apply(m, phase - 1, c, k, state);
+      apply(m, phase - 1, c, forces, k, state);
     } else if (m.lead != 0) {
-      drift(c, m.lead, state);
+      drift(m, c, m.lead, state);
     }
     copy<S::size>(state.y, trial);
     for (int i = S::Motion::momenta_begin; phase > 0 && i < S::Motion::momenta_end; ++i) {
@@ -223,15 +224,23 @@ struct Splitting {
   }
 
   template <class S, class Constants, class Forces, class Rates>
-  BALLPARK_INLINE static void finish(const Method& m, const Constants& c, const Forces&, const Rates& k, S& state) {
-    apply(m, m.phases - 1, c, k, state);
+  BALLPARK_INLINE static void finish(const Method& m, const Constants& c, const Forces& forces, const Rates& k,
+                                     S& state) {
+    apply(m, m.phases - 1, c, forces, k, state);
   }
 
  private:
-  template <class S, class Constants, class Rates>
-  BALLPARK_INLINE static void apply(const Method& m, int phase, const Constants& c, const Rates& k, S& state) {
-    kick(m.kick[phase], k, phase, state);
-    if (m.drift[phase] != 0) drift(c, m.drift[phase], state);
+  template <class S, class Constants, class Forces, class Rates>
+  BALLPARK_INLINE static void apply(const Method& m, int phase, const Constants& c, const Forces& forces,
+                                    const Rates& k, S& state) {
+    if (m.turns_velocity) {
+      kick(Real(0.5) * m.kick[phase], k, phase, state);
+      turn_velocity(m.kick[phase], c, forces, state);
+      kick(Real(0.5) * m.kick[phase], k, phase, state);
+    } else {
+      kick(m.kick[phase], k, phase, state);
+    }
+    if (m.drift[phase] != 0) drift(m, c, m.drift[phase], state);
   }
 
   template <class S, class Rates>
@@ -243,22 +252,57 @@ struct Splitting {
     state.add(M::momenta_begin, M::momenta_end, change);
   }
 
-  /// Orientation by the midpoint rule at constant L: second order, as the methods that use it.
+  /// v' = W x v by Cayley's transform, which keeps |v|: v + 2 / (1 + t^2) t x (v + t x v), t = h W / 2. (Boris 1970;
+  /// Birdsall & Langdon, Plasma Physics via Computer Simulation, 4-4.)
+  template <class S, class Constants, class Forces>
+  BALLPARK_INLINE static void turn_velocity(Real step, const Constants& c, const Forces& forces, S& state) {
+    using M = typename S::Motion;
+    using V = typename S::Value;
+    if constexpr (M::position_end > 0) {  // a pivot ties velocities
+      const V one = V(Real(1));
+      const Vector3<V> v = vector_from(state.y + M::position_end);
+      const Vector3<V> t = V(Real(0.5) * step) * forces.turning(M::body(c, state.y));
+      V change[S::size];
+      put(change + M::position_end, ((one + one) / (one + dot(t, t))) * cross(t, v + cross(t, v)));
+      state.add(M::position_end, M::position_end + 3, change);
+    }
+  }
+
+  /// Positions at constant momenta. Orientations by the midpoint rule, of second order, unless another rule is asked
+  /// for.
   template <class S, class Constants>
-  BALLPARK_INLINE static void drift(const Constants& c, Real step, S& state) {
+  BALLPARK_INLINE static void drift(const Method& m, const Constants& c, Real step, S& state) {
     using M = typename S::Motion;
     using V = typename S::Value;
     V rate[S::size], change[S::size];
     M::rates(c, state.y, M::body(c, state.y), Loads<V>{}, rate);
     if constexpr (M::turns) {
-      V middle[S::size];
-      copy<S::size>(state.y, middle);
-      for (int i = M::quaternion; i < M::quaternion + 4; ++i) middle[i] += V(Real(0.5)) * V(step) * rate[i];
-      M::rates(c, middle, M::body(c, middle), Loads<V>{}, rate);
+      if (m.rotation == RotationRule::renormalise) {
+        V middle[S::size];
+        copy<S::size>(state.y, middle);
+        for (int i = M::quaternion; i < M::quaternion + 4; ++i) middle[i] += V(Real(0.5)) * V(step) * rate[i];
+        M::rates(c, middle, M::body(c, middle), Loads<V>{}, rate);
+      } else {
+        turn_orientation<M>(m, c, step, state.y);
+        for (int i = M::quaternion; i < M::quaternion + 4; ++i) rate[i] = V(Real(0));
+      }
     }
     for (int i = 0; i < S::size; ++i) change[i] = V(step) * rate[i];
     state.add(0, M::momenta_begin, change);
     state.add(M::momenta_end, S::size, change);
+  }
+
+  /// By the exponential map at the spin of the middle, or by splitting.
+  template <class M, class V, class Constants>
+  BALLPARK_INLINE static void turn_orientation(const Method& m, const Constants& c, Real step, V* y) {
+    if (m.rotation == RotationRule::splitting) {
+      turn_freely(M::principal(c), vector_from(y + M::momentum), step, m.turn_share, m.turns, y + M::quaternion);
+      return;
+    }
+    V middle[M::size];
+    copy<M::size>(y, middle);
+    turn(V(Real(0.5) * step) * M::body(c, y).spin, middle + M::quaternion);
+    turn(V(step) * M::body(c, middle).spin, y + M::quaternion);
   }
 };
 
@@ -269,9 +313,9 @@ struct Multistep {
   static constexpr bool prepare_moves = false;
   static constexpr bool embeds = false;
 
-  template <class S, class V, class Constants, class Rates>
-  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants&, S& state, const Rates& k,
-                                      V* trial) {
+  template <class S, class V, class Constants, class Forces, class Rates>
+  BALLPARK_INLINE static void prepare(const Method& m, int phase, const Constants&, const Forces&, S& state,
+                                      const Rates& k, V* trial) {
     copy<S::size>(state.y, trial);
     if (phase == 0) return;
     V change[S::size];
@@ -299,7 +343,7 @@ struct Multistep {
     }
     const auto k = [&](int set, int i) BALLPARK_INLINE_LAMBDA { return set < m.phases ? now[set][i] : kept(set, i); };
     for (int p = 0; p < m.phases; ++p) {
-      prepare(m, p, c, state, k, trial);
+      prepare(m, p, c, forces, state, k, trial);
       evaluate<M>(forces, c, trial, now[p]);
     }
     kept.write(0, now[0]);
@@ -328,7 +372,7 @@ BALLPARK_INLINE void whole_step(const Method& m, const Constants& c, const Force
     typename S::Value trial[S::size];
     LocalRates<M, typename S::Value> k;
     for (int p = 0; p < m.phases; ++p) {
-      F::prepare(m, p, c, state, k, trial);
+      F::prepare(m, p, c, forces, state, k, trial);
       evaluate<M>(forces, c, trial, k.values[p]);
     }
     F::finish(m, c, forces, k, state);

@@ -11,11 +11,15 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
+/// How orientations follow from spins. (Body: what moves is another motion, see Spin::body.)
+enum class RotationRule { renormalise, exponential, splitting, body };
+
 enum class Family { explicit_runge_kutta, chained_runge_kutta, taylor, splitting, multistep };
 inline constexpr int family_count = 5;
 inline constexpr int max_phases = 27;
 inline constexpr int max_history = 4;  ///< sets of rates of earlier steps
 inline constexpr int max_errors = 2;
+inline constexpr int max_turns = 9;
 
 /// A row scaled by the step: all that kernels read of a method.
 struct Method {
@@ -29,6 +33,10 @@ struct Method {
   Real lead = 0;                        ///< splitting: h times the drift before the first kick
   Real kick[max_phases] = {};           ///< splitting: h times the i-th coefficient
   Real drift[max_phases] = {};
+  bool turns_velocity = false;  ///< splitting: effects that turn velocities do so within the kick (Boris)
+  RotationRule rotation = RotationRule::renormalise;  ///< splitting: of drifts
+  int turns = 1;                                      ///< by splitting: parts of each drift
+  Real turn_share[max_turns] = {1};                   ///< and their shares of it
 
   // Embedded pairs, at a tolerance:
   int errors = 0;                           ///< estimates of the step's error; 0: the step is given

@@ -47,9 +47,22 @@ bool is_chained(const Row& row) {
   return true;
 }
 
+/// Rotation by splitting is of order 2: compositions of its steps are of the order that the row needs. (Suzuki 1990;
+/// Kahan & Li 1997; Hairer, Lubich & Wanner, Geometric Numerical Integration, eqs. II.4.5 and V.3.11.)
+std::vector<long double> turn_shares(int order) {
+  if (order <= 2) return {1};
+  if (order <= 4) {
+    constexpr long double s = 0.41449077179437573714235406286104L;  // 1 / (4 - 4^(1/3))
+    return {s, s, 1 - 4 * s, s, s};
+  }
+  constexpr long double a = 0.39216144400731413928L, b = 0.33259913678935943860L, c = -0.70624617255763935981L,
+                        d = 0.082213596293550800230L;
+  return {a, b, c, d, 1 - 2 * (a + b + c + d), d, c, b, a};
+}
+
 }  // namespace
 
-Method method_for(const Row& row, double step) {
+Method method_for(const Row& row, double step, RotationRule rotation) {
   const Real h = static_cast<Real>(step);
   Method m;
   const bool chained = row.family == Family::explicit_runge_kutta && is_chained(row);
@@ -58,6 +71,12 @@ Method method_for(const Row& row, double step) {
   m.step = h;
   m.half_square = h * h / 2;
   m.lead = h * static_cast<Real>(row.lead);
+  m.turns_velocity = row.turns_velocity;
+  m.rotation = rotation;
+  if (rotation == RotationRule::splitting) {
+    m.turns = 0;
+    for (const long double share : turn_shares(row.order)) m.turn_share[m.turns++] = static_cast<Real>(share);
+  }
   long double drifted = row.lead;
   for (int i = 0; i < row.phases; ++i) {
     long double c = drifted;

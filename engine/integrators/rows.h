@@ -27,6 +27,7 @@ struct Row {
   long double lead = 0;               ///< splitting: drift before the first kick
   long double kick[max_phases] = {};  ///< splitting
   long double drift[max_phases] = {};
+  bool turns_velocity = false;             ///< splitting: see Method
   int history = 0;                         ///< multistep: earlier rates
   long double past[max_history + 1] = {};  ///< and weights, latest first
   long double corrector[max_history + 2] = {};
@@ -50,7 +51,7 @@ std::vector<Row> multistep_rows();
 std::vector<Row> splitting_rows();
 
 /// The row's coefficients times the step h [s].
-Method method_for(const Row& row, double h);
+Method method_for(const Row& row, double h, RotationRule rotation = RotationRule::renormalise);
 /// An embedded pair for a step of 1 s; to be scaled. `absolute` and `relative`: its tolerance.
 Method pair_for(const Row& row, double absolute, double relative);
 /// `unit`, for a step of 1 s, as it is for a step h.

@@ -33,6 +33,7 @@ struct StateColumns {
   Real* velocity[3] = {};
   Real* orientation[4] = {};
   Real* momentum[3] = {};  ///< angular, about the centre of mass (pivoted bodies: about the pivot)
+  Real* turn[3] = {};      ///< trial states of exponential motions: rotation vector since the step's start
 };
 
 /// Constants of one group that motion needs.
@@ -41,6 +42,8 @@ struct BodyConstants {
   PerBody inverse_inertia[6];  ///< body frame: xx, yy, zz, then (pivoted bodies, about the pivot) xy, xz, yz
   PerBody arm[3];              ///< pivoted bodies: pivot to centre of mass, body frame
   PerBody pivot[3];            ///< pivoted bodies: the fixed point, world frame
+  PerBody principal[12];       ///< pivoted bodies that turn by splitting: each principal axis, then 1 / its moment
+  Real* orientation[4] = {};   ///< exponential motions: at the step's start
 };
 
 /// A body (or one in each lane) as effects see it.

@@ -4,19 +4,34 @@
 //   Constants<V>       what is constant over a step, loaded once
 //   load, store        state between columns and registers; store also writes columns that follow from the state
 //   body               the quantities that effects read
+//   begin_again        between steps in registers: what storing and loading would do
 //   rates              y' under loads
 //   spin_per_momentum  a scale of the angular momentum
 //   acceleration, second_rates   for Taylor-2: accelerations, and y'' under the loads' own rates
 //   position_end       y[0, position_end) is the position, which nothing but effects reads
-//   spins, turns       has an angular momentum, a quaternion; momentum, quaternion: where they start in y
+//   spins, turns       has an angular momentum, an orientation; momentum, quaternion: where they start in y
+//   by_vector          the orientation in y is a rotation vector (exponential_motion.h), not a quaternion
+//   special            stepped by Runge-Kutta methods only
+//   principal          axes and inverse moments of inertia, for rotation by splitting
 #pragma once
 
 #include "engine/kernels/body.h"
+#include "engine/kernels/free_rotation.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
-enum class MotionKind { point, spinning, oriented, rigid, pivoted };
-inline constexpr int motion_count = 5;
+enum class MotionKind {
+  point,
+  spinning,
+  oriented,
+  rigid,
+  pivoted,
+  body_frame,
+  oriented_exponential,
+  rigid_exponential,
+  pivoted_exponential
+};
+inline constexpr int motion_count = 9;
 inline constexpr int max_state_size = 13;
 
 template <class V>
@@ -40,13 +55,16 @@ BALLPARK_INLINE void store_columns(Real* const (&columns)[n], std::size_t row, c
 
 /// Translation (y = x, v) and, by `Spin`, rotation about the centre of mass.
 ///   none: no rotation.  carried: L only (isotropic inertia, w = L / I).  oriented: L and q, isotropic inertia.
-///   rigid: L and q, w = R I^-1 R^T L.
-enum class Spin { none, carried, oriented, rigid };
+///   rigid: L and q, w = R I^-1 R^T L.  body: q and the angular momentum in the body's axes, R^T L, for needles: a
+///   small component of the spin is not the difference of large ones.
+enum class Spin { none, carried, oriented, rigid, body };
 
 template <Spin kind>
 struct FreeMotion {
   static constexpr bool spins = kind != Spin::none;
-  static constexpr bool turns = kind == Spin::oriented || kind == Spin::rigid;
+  static constexpr bool own_axes = kind == Spin::rigid || kind == Spin::body;  ///< three moments of inertia
+  static constexpr bool turns = kind == Spin::oriented || own_axes;
+  static constexpr bool by_vector = false, special = kind == Spin::body;
   static constexpr int position_end = 3, momentum = 6, quaternion = 9;
   static constexpr int size = turns ? 13 : spins ? 9 : 6;
   static constexpr int momenta_begin = 3, momenta_end = spins ? 9 : 6;
@@ -65,7 +83,7 @@ struct FreeMotion {
     k.mass = c.mass.at<V>(row);
     k.inverse_mass = c.mass.inverse_at<V>(row);
     if constexpr (spins) {
-      for (int i = 0; i < (kind == Spin::rigid ? 3 : 1); ++i) k.inverse_inertia[i] = c.inverse_inertia[i].at<V>(row);
+      for (int i = 0; i < (own_axes ? 3 : 1); ++i) k.inverse_inertia[i] = c.inverse_inertia[i].at<V>(row);
     }
     return k;
   }
@@ -86,23 +104,52 @@ struct FreeMotion {
     if constexpr (turns) store_columns(s.orientation, k.row, y + quaternion);
   }
 
+  template <class V>
+  BALLPARK_INLINE static void begin_again(const Constants<V>&, V*) {}
+
   /// An angular momentum times this is no less than the angular velocity that it may mean.
   template <class V>
   BALLPARK_INLINE static V spin_per_momentum(const Constants<V>& k) {
     V most = k.inverse_inertia[0];
-    for (int i = 1; kind == Spin::rigid && i < 3; ++i) {
+    for (int i = 1; own_axes && i < 3; ++i) {
       most = select(k.inverse_inertia[i] > most, k.inverse_inertia[i], most);
     }
     return most;
+  }
+
+  template <class V>
+  BALLPARK_INLINE static Rotation<V> rotation(const V* y) {
+    return Rotation<V>(y[9], y[10], y[11], y[12]);
+  }
+
+  /// I^-1 b, body frame.
+  template <class V>
+  BALLPARK_INLINE static Vector3<V> spin_in_body(const Constants<V>& k, const Vector3<V>& b) {
+    return {k.inverse_inertia[0] * b.x, k.inverse_inertia[1] * b.y, k.inverse_inertia[2] * b.z};
+  }
+
+  /// L in the world frame.
+  template <class V>
+  BALLPARK_INLINE static Vector3<V> angular_momentum(const V* y) {
+    const Vector3<V> own = vector_from(y + momentum);
+    if constexpr (kind == Spin::body) return rotation(y).to_world(own);
+    return own;
+  }
+
+  template <class V>
+  BALLPARK_INLINE static PrincipalAxes<V> principal(const Constants<V>& k) {
+    const V zero = V(Real(0)), one = V(Real(1));
+    PrincipalAxes<V> p{{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}, {}};
+    for (int i = 0; i < 3; ++i) p.rate[i] = k.inverse_inertia[own_axes ? i : 0];
+    return p;
   }
 
   /// I^-1 in the world frame, applied.
   template <class V>
   BALLPARK_INLINE static Vector3<V> over_inertia(const Constants<V>& k, const V* y, const Vector3<V>& a) {
     if constexpr (kind == Spin::rigid) {
-      const Rotation<V> r(y[9], y[10], y[11], y[12]);
-      const Vector3<V> b = r.to_body(a);
-      return r.to_world({k.inverse_inertia[0] * b.x, k.inverse_inertia[1] * b.y, k.inverse_inertia[2] * b.z});
+      const Rotation<V> r = rotation(y);
+      return r.to_world(spin_in_body(k, r.to_body(a)));
     } else {
       return k.inverse_inertia[0] * a;
     }
@@ -111,7 +158,11 @@ struct FreeMotion {
   template <class V>
   BALLPARK_INLINE static Body<V> body(const Constants<V>& k, const V* y) {
     Body<V> b{k.row, k.mass, vector_from(y), vector_from(y + 3), {}};
-    if constexpr (spins) b.spin = over_inertia(k, y, vector_from(y + momentum));
+    if constexpr (kind == Spin::body) {
+      b.spin = rotation(y).to_world(spin_in_body(k, vector_from(y + momentum)));
+    } else if constexpr (spins) {
+      b.spin = over_inertia(k, y, vector_from(y + momentum));
+    }
     return b;
   }
 
@@ -120,7 +171,12 @@ struct FreeMotion {
                                     V* rate) {
     put(rate, b.velocity);
     put(rate + 3, k.inverse_mass * loads.force);
-    if constexpr (spins) put(rate + momentum, loads.torque);
+    if constexpr (kind == Spin::body) {  // Euler's equations
+      const Vector3<V> own = vector_from(y + momentum);
+      put(rate + momentum, cross(own, spin_in_body(k, own)) + rotation(y).to_body(loads.torque));
+    } else if constexpr (spins) {
+      put(rate + momentum, loads.torque);
+    }
     if constexpr (turns) quaternion_rate(b.spin, y + quaternion, rate + quaternion);
   }
 

@@ -59,6 +59,9 @@ class Columns {
   const std::deque<Column>& all() const { return columns_; }
   std::deque<Column>& all() { return columns_; }
   std::size_t bytes() const;
+  /// All columns of a role, one after the other.
+  void save(Role role, std::vector<Real>& to) const;
+  void restore(Role role, const std::vector<Real>& from);
 
  private:
   std::deque<Column> columns_;

@@ -38,7 +38,7 @@ Vector3<Wide> widened(const Vector3<Real>& a) {
 }
 
 Body<Real> body_at(const Group& group, std::size_t row) {
-  return with_motion(group.carried, [&]<class M>() {
+  return with_carried(group.carried, [&]<class M>() {
     const auto c = M::template constants<Real>(group.kernel.constants, row);
     Real y[M::size];
     M::load(group.kernel.state, row, y);
@@ -60,14 +60,15 @@ Vector3<Wide> momentum_for(const Group& group, std::size_t row, const Quaternion
   const Real mass = group.kernel.constants.mass.at<Real>(row);
   const Vector3<Wide> inertia = wide(group.inertia[group.inertia.size() == 1 ? 0 : row % group.per_copy]);
   Vector3<Wide> arm;
-  if (group.motion == MotionKind::pivoted) arm = widened(vector_at<Real>(group.kernel.constants.arm, row));
+  if (group.pivots()) arm = widened(vector_at<Real>(group.kernel.constants.arm, row));
   if (!group.turns()) return momentum_in_body(inertia, Wide(mass), arm, spin);
   const Rotation<Wide> r = rotation_of(orientation);
-  return r.to_world(momentum_in_body(inertia, Wide(mass), arm, r.to_body(spin)));
+  const Vector3<Wide> own = momentum_in_body(inertia, Wide(mass), arm, r.to_body(spin));
+  return group.carried == MotionKind::body_frame ? own : r.to_world(own);
 }
 
 bool is_finite(const Group& group, std::size_t row) {
-  return with_motion(group.carried, [&]<class M>() {
+  return with_carried(group.carried, [&]<class M>() {
     Real y[M::size];
     M::load(group.kernel.state, row, y);
     for (const Real value : y) {
@@ -153,10 +154,10 @@ void World::set(std::size_t id, const BodyState& state) {
     for (int c = 0; c < 4; ++c) columns.orientation[c][row] = static_cast<Real>(values[c]);
   }
   for (Real* carry : group.carry) carry[row] = 0;
-  if (state.has_angular_velocity) group.motion = group.carried;  // what stood still until now may turn
+  if (state.has_angular_velocity) group.motion = group.turning;  // what stood still until now may turn
   if (group.spins()) write(columns.momentum, row, momentum_for(group, row, orientation, wide(spin)));
   forget_rates();
-  if (group.motion == MotionKind::pivoted) return place_pivoted(group, row);
+  if (group.pivots()) return place_pivoted(group, row);
   write(columns.position, row, wide(state.position));
   write(columns.velocity, row, wide(state.velocity));
 }
@@ -164,18 +165,23 @@ void World::set(std::size_t id, const BodyState& state) {
 /// A sudden change of momentum, and of angular momentum by its moment.
 void World::kick(const Place& place, const Vector3d& J, const Vector3d& offset) {
   Group& group = groups_[place.group];
-  if (offset != Vector3d::Zero()) group.motion = group.carried;
+  if (offset != Vector3d::Zero()) group.motion = group.turning;
   const StateColumns& columns = group.kernel.state;
   const std::size_t row = place.row;
   const Body<Real> b = body_at(group, row);
   Vector3<Wide> lever = wide(offset);
-  if (group.motion == MotionKind::pivoted) {
+  if (group.pivots()) {
     lever += widened(b.position - vector_at<Real>(group.kernel.constants.pivot, row));
   } else {
     write(columns.velocity, row, widened(b.velocity) + (1 / static_cast<Wide>(b.mass)) * wide(J));
   }
-  if (group.spins()) write(columns.momentum, row, widened(read(columns.momentum, row)) + cross(lever, wide(J)));
-  if (group.motion == MotionKind::pivoted) place_pivoted(group, row);
+  if (group.spins()) {
+    Vector3<Wide> change = cross(lever, wide(J));
+    if (group.carried == MotionKind::body_frame)
+      change = rotation_of(body(id_of(group, row)).orientation).to_body(change);
+    write(columns.momentum, row, widened(read(columns.momentum, row)) + change);
+  }
+  if (group.pivots()) place_pivoted(group, row);
   forget_rates();
 }
 
@@ -215,7 +221,7 @@ void World::apply_load(const std::string& kind, std::size_t id, const Vector3d& 
   const EffectInfo& info = local_effects()[index];
   if (kind == "torque") {
     if (!group.spins()) refuse(call, "group " + group.name + " carries no rotation");
-    group.motion = group.carried;  // from now on a torque changes its spin
+    group.motion = group.turning;  // from now on a torque changes its spin
   }
   forget_rates();
   std::map<std::string, Value> parameters{{kind, load}, {"at", at}, {"until", until}};

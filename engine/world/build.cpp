@@ -43,6 +43,13 @@ const Effect* pair_effect_of(const Scene& scene) {
   return nullptr;
 }
 
+RotationRule rotation_rule(const std::string& name) {
+  return name == "exponential" ? RotationRule::exponential
+         : name == "splitting" ? RotationRule::splitting
+         : name == "body"      ? RotationRule::body
+                               : RotationRule::renormalise;
+}
+
 bool is_kicked_off_centre(const Scene& scene, std::size_t first_id, std::size_t count) {
   return std::any_of(scene.impulses.begin(), scene.impulses.end(), [&](const Impulse& i) {
     return i.offset != Vector3d::Zero() && i.id >= first_id && i.id < first_id + count;
@@ -50,6 +57,10 @@ bool is_kicked_off_centre(const Scene& scene, std::size_t first_id, std::size_t 
 }
 
 }  // namespace
+
+bool turns_by_vector(const Group& group) {
+  return with_motion(group.turning, []<class M>() { return M::by_vector; });
+}
 
 Builder::Builder(World& world, const Scene& scene, const Options& options)
     : world_(world), scene_(scene), options_(options) {}
@@ -60,6 +71,8 @@ void Builder::build() {
   if (!problems_.empty()) throw SceneError(problems_);
   world_.kernels_ = kernel_table(options_.target);
   world_.copies_ = static_cast<std::size_t>(options_.copies);
+  world_.row_ = find_row(scene_.run.integrator);
+  world_.rotation_ = rotation_rule(scene_.run.rotation);
   for (std::size_t g = 0; g < scene_.bodies.size(); ++g) choose_motion(g);
   choose_path();
   choose_method();
@@ -129,7 +142,6 @@ void Builder::check_options() {
 /// The row, scaled by the step; of a pair that has a tolerance, as it will be scaled.
 void Builder::choose_method() {
   const RunSettings& run = scene_.run;
-  world_.row_ = find_row(run.integrator);
   world_.step_ = run.step;
   world_.duration_ = run.duration;
   world_.adaptive_ = run.tolerance > 0;
@@ -137,12 +149,13 @@ void Builder::choose_method() {
     const double absolute = run.absolute_tolerance > 0 ? run.absolute_tolerance : run.tolerance;
     world_.unit_ = pair_for(*world_.row_, absolute, run.tolerance);
     if (world_.fused_) world_.unit_.last_set = 1;
-    world_.keeps_rates_ = scene_.contact.kind != "penalty";  // whose first phase sets its springs
+    world_.keeps_rates_ = scene_.contact.kind != "penalty" &&  // whose first phase sets its springs
+                          std::none_of(world_.groups_.begin(), world_.groups_.end(), turns_by_vector);
     world_.control_.order = world_.row_->error_order + 1;
     world_.method_ = world_.unit_;
     return;
   }
-  world_.method_ = method_for(*world_.row_, world_.step_);
+  world_.method_ = method_for(*world_.row_, world_.step_, world_.rotation_);
   if (world_.row_->family != Family::multistep) return;
   world_.starter_ = method_for(*find_row(starter_name), world_.step_);
   world_.starter_.family = Family::explicit_runge_kutta;  // which leaves its first rates
@@ -166,8 +179,10 @@ void Builder::choose_motion(std::size_t g) {
                      (body.generate && body.generate->angular_velocity_spread != Vector3d::Zero());
   const bool turns = !body.orientation.empty() || (body.generate && body.generate->random_orientation);
   const auto choose = [&](MotionKind carried, MotionKind motion, const std::string& why) {
-    group.carried = carried;
-    group.motion = motion;
+    const bool own_axes = world_.rotation_ == RotationRule::body && carried == MotionKind::rigid;
+    group.carried = own_axes ? MotionKind::body_frame : carried;
+    group.turning = stepped(group.carried);
+    group.motion = motion == MotionKind::point ? motion : group.turning;
     group.why = why;
   };
   const auto narrowed = [&](const std::string& what) { world_.narrowed_.push_back(body.name + ": " + what); };
@@ -199,9 +214,26 @@ void Builder::choose_motion(std::size_t g) {
   world_.groups_.push_back(std::move(group));
 }
 
+/// How bodies that turn are stepped: within a step, exponential maps replace quaternions in Runge-Kutta methods.
+MotionKind Builder::stepped(MotionKind carried) const {
+  if (world_.rotation_ != RotationRule::exponential || world_.row_->family == Family::splitting) return carried;
+  switch (carried) {
+    case MotionKind::oriented:
+      return MotionKind::oriented_exponential;
+    case MotionKind::rigid:
+      return MotionKind::rigid_exponential;
+    case MotionKind::pivoted:
+      return MotionKind::pivoted_exponential;
+    default:
+      return carried;
+  }
+}
+
 /// Groups that carry more columns come last, so that each column covers one range of rows.
 void Builder::place_groups() {
-  const auto carries = [](const Group& g) { return int(g.spins()) + int(g.turns()); };
+  const auto carries = [](const Group& g) {
+    return int(g.spins()) + int(g.turns()) + int(g.carried == MotionKind::body_frame);
+  };
   std::stable_sort(world_.groups_.begin(), world_.groups_.end(),
                    [&](const Group& a, const Group& b) { return carries(a) < carries(b); });
   std::size_t row = 0;
@@ -220,14 +252,18 @@ void Builder::add_state_columns() {
   };
   const std::size_t spinning = first([](const Group& g) { return g.spins(); });
   const std::size_t turning = first([](const Group& g) { return g.turns(); });
+  const std::size_t own_axes = first([](const Group& g) { return g.carried == MotionKind::body_frame; });
   Columns& columns = world_.columns_;
   Column& position = columns.add({"position", "m", 3, Role::state, "every body"}, 0, end);
   Column& velocity = columns.add({"velocity", "m/s", 3, Role::state, "every body"}, 0, end);
-  const auto add = [&](const char* name, const char* unit, int components, const char* why, std::size_t begin) {
-    return begin < end ? &columns.add({name, unit, components, Role::state, why}, begin, end - begin) : nullptr;
+  const auto add = [&](const char* name, const char* unit, int components, const char* why, std::size_t begin,
+                       std::size_t stop) {
+    return begin < stop ? &columns.add({name, unit, components, Role::state, why}, begin, stop - begin) : nullptr;
   };
-  Column* orientation = add("orientation", "1", 4, "given by the scene, or inertia with three moments", turning);
-  Column* momentum = add("angular_momentum", "kg m^2/s", 3, "spin given by the scene or used by an effect", spinning);
+  Column* orientation = add("orientation", "1", 4, "given by the scene, or inertia with three moments", turning, end);
+  Column* momentum =
+      add("angular_momentum", "kg m^2/s", 3, "spin given by the scene or used by an effect", spinning, own_axes);
+  Column* own_momentum = add(body_momentum, "kg m^2/s", 3, "run.rotation: spin in the body's axes", own_axes, end);
   for (Group& group : groups) {
     if (group.live == 0) continue;
     StateColumns& state = group.kernel.state;
@@ -235,9 +271,13 @@ void Builder::add_state_columns() {
     for (int c = 0; c < 3; ++c) {
       state.position[c] = position.at(c, group.first_row);
       state.velocity[c] = velocity.at(c, group.first_row);
-      if (group.spins()) state.momentum[c] = momentum->at(c, group.first_row);
+      if (group.spins())
+        state.momentum[c] = (group.first_row < own_axes ? momentum : own_momentum)->at(c, group.first_row);
     }
-    for (int c = 0; c < 4 && group.turns(); ++c) state.orientation[c] = orientation->at(c, group.first_row);
+    for (int c = 0; c < 4 && group.turns(); ++c) {
+      state.orientation[c] = orientation->at(c, group.first_row);
+      group.kernel.constants.orientation[c] = state.orientation[c];
+    }
   }
 }
 

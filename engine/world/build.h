@@ -14,6 +14,9 @@ bool has_pair_effect(const Scene& scene, const BodyGroup& group);
 /// All numbers of an effect's parameters, by name: the order in which effects of one kind are summed.
 std::vector<double> numbers_of(const Effect& effect);
 
+/// Is its state within a step a rotation vector? Its rate at the end of one is not that at the start of the next.
+bool turns_by_vector(const Group& group);
+
 class Builder {
  public:
   Builder(World& world, const Scene& scene, const Options& options);
@@ -22,6 +25,7 @@ class Builder {
  private:
   void check_options();
   void choose_motion(std::size_t g);
+  MotionKind stepped(MotionKind carried) const;
   void place_groups();
   void add_state_columns();
   void fill_constants(Group& group);

@@ -92,7 +92,9 @@ void check_run(const RunSettings& run, Problems& problems) {
     problems.add("run.step", fmt::format("is {} s: a duration of {} s would need more than 1e15 steps", text(run.step),
                                          text(run.duration)));
   }
-  problems.known("run.rotation", "rotation update", run.rotation, {"renormalise"});
+  std::vector<std::string> rules;
+  for (const NamedDescription& rule : rotations()) rules.push_back(rule.name);
+  problems.known("run.rotation", "rotation update", run.rotation, rules);
   for (std::size_t i = 0; i < run.accept.size(); ++i) {
     problems.known(path_of("run.accept", i), "limit", run.accept[i], {"stability"});
   }

@@ -59,9 +59,31 @@ bool contacts_read_velocity(const Scene& scene) {
 
 std::string needs_blind_forces(const IntegratorDescription& row, const std::string& reader) {
   return fmt::format(
-      "{} is of order {} for forces that do not read velocity, but {} reads it; expected another "
+      "{} is of order {} for forces that do not read velocity{}, but {} reads it; expected another "
       "integrator, e.g. velocity_verlet or rk4",
-      row.name, row.order, reader);
+      row.name, row.order, row.turns_velocity ? " or only turn it" : "", reader);
+}
+
+/// Not every family can move orientations by every rule.
+void check_rotation(const Scene& scene, const IntegratorDescription& row, Problems& problems) {
+  const std::string& rule = scene.run.rotation;
+  const bool runge_kutta = row.family == "explicit Runge-Kutta", splits = row.family == "splitting";
+  const auto refuse = [&](const std::string& message) { problems.add("run.rotation", rule + message); };
+  if (rule == "exponential" && !runge_kutta && !splits) {
+    refuse(" needs an explicit Runge-Kutta or splitting integrator, not " + row.name + "; expected renormalise");
+  }
+  if (rule == "splitting" && !splits) {
+    refuse(" needs a splitting integrator, e.g. velocity_verlet, not " + row.name + "; expected another rotation");
+  }
+  if (rule == "body" && !runge_kutta) {
+    refuse(" needs an explicit Runge-Kutta integrator, e.g. rk4, not " + row.name + "; expected another rotation");
+  }
+  if (rule == "body" && touches(scene) && !scene.contact.kind.empty()) {
+    refuse(" leaves out contacts, which turn bodies in the world's axes; expected renormalise or exponential");
+  }
+  if (scene.run.compensated && (rule == "exponential" || rule == "splitting" || rule == "body")) {
+    refuse(" does not carry what rounding takes; expected renormalise, or run.compensated = false");
+  }
 }
 
 /// Tolerances need an estimate of the error; contacts need steps that begin anew each time.
@@ -101,9 +123,18 @@ void check_integrator(const Scene& scene, Problems& problems) {
       refuse("taylor2 needs the time derivative of every force, which " + effect.kind +
              " does not give; expected another integrator, e.g. midpoint");
     }
-    if (blind(row) && reads_velocity(effect, *description)) refuse(needs_blind_forces(row, effect.kind));
+    const bool turned = row.turns_velocity && description->turns_velocity;
+    if (blind(row) && !turned && reads_velocity(effect, *description)) refuse(needs_blind_forces(row, effect.kind));
+    for (const BodyGroup& group : scene.bodies) {
+      if (turned && acts_on(effect, group) && pivot_of(scene, group)) {
+        refuse(
+            fmt::format("{} turns velocities, which the pivot of {} ties, by {}; expected another integrator, e.g. rk4",
+                        row.name, group.name, effect.kind));
+      }
+    }
   }
   check_pace(scene, row, problems);
+  check_rotation(scene, row, problems);
   if (row.family == "Taylor" && scene.contact.kind == "penalty") {
     refuse(
         "taylor2 needs the time derivative of every force, which penalty contacts do not give; expected another "
@@ -115,7 +146,7 @@ void check_integrator(const Scene& scene, Problems& problems) {
 }
 
 bool blind(const IntegratorDescription& row) {
-  return row.family == "splitting" && row.order > 2;
+  return row.family == "splitting" && (row.order > 2 || row.turns_velocity);
 }
 
 }  // namespace ballpark

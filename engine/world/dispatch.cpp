@@ -22,10 +22,14 @@ const char* name(MotionKind kind) {
     case MotionKind::spinning:
       return "spinning";
     case MotionKind::oriented:
+    case MotionKind::oriented_exponential:
       return "oriented";
     case MotionKind::rigid:
+    case MotionKind::rigid_exponential:
+    case MotionKind::body_frame:
       return "rigid";
     case MotionKind::pivoted:
+    case MotionKind::pivoted_exponential:
       return "pivoted";
   }
   return "";

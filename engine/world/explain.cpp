@@ -13,7 +13,9 @@ struct MotionCost {
   int reads, writes, flops;
 };
 
+/// An exponential takes 80 flops and the rate of its vector 90, in place of a quaternion's rate (28).
 MotionCost cost(MotionKind kind) {
+  constexpr int by_exponential = 142;
   switch (kind) {
     case MotionKind::point:
       return {6, 6, 3};
@@ -25,16 +27,27 @@ MotionCost cost(MotionKind kind) {
       return {13, 13, 86};
     case MotionKind::pivoted:
       return {7, 13, 190};  // position and velocity follow, and are written
+    case MotionKind::body_frame:
+      return {13, 13, 98};
+    case MotionKind::oriented_exponential:
+      return {13, 13, 32 + by_exponential};
+    case MotionKind::rigid_exponential:
+      return {13, 13, 86 + by_exponential};
+    case MotionKind::pivoted_exponential:
+      return {7, 13, 190 + by_exponential};
   }
   return {};
 }
 
 std::vector<std::string> state_names(MotionKind kind) {
-  if (kind == MotionKind::pivoted) return {"orientation", "angular_momentum"};
-  std::vector<std::string> names{"position", "velocity"};
-  if (kind != MotionKind::point) names.push_back("angular_momentum");
-  if (kind == MotionKind::oriented || kind == MotionKind::rigid) names.push_back("orientation");
-  return names;
+  return with_motion(kind, [&]<class M>() {
+    std::vector<std::string> names;
+    if (M::position_end > 0) names = {"position", "velocity"};
+    if (M::turns && M::position_end == 0) names.push_back("orientation");
+    if (M::spins) names.push_back(kind == MotionKind::body_frame ? body_momentum : "angular_momentum");
+    if (M::turns && M::position_end > 0) names.push_back("orientation");
+    return names;
+  });
 }
 
 std::vector<std::string> with_prefix(const char* prefix, std::vector<std::string> names) {
@@ -104,9 +117,8 @@ struct PassWriter {
   }
 
   std::vector<std::string> written() const {
-    return group.motion == MotionKind::pivoted
-               ? std::vector<std::string>{"position", "velocity", "orientation", "angular_momentum"}
-               : state_names(group.motion);
+    return group.pivots() ? std::vector<std::string>{"position", "velocity", "orientation", "angular_momentum"}
+                          : state_names(group.motion);
   }
 
   /// Compensated summation reads and writes a carry for each value of the state.
@@ -118,7 +130,7 @@ struct PassWriter {
 
   /// Of 3 coordinates in each stage: chained methods leave out trial positions that no effect reads.
   double left_out() const {
-    const bool chained = method.family == Family::chained_runge_kutta && group.motion != MotionKind::pivoted;
+    const bool chained = method.family == Family::chained_runge_kutta && !group.pivots();
     return chained && !group.kernel.forces.read_position ? 2.0 * 3 * count.stages : 0;
   }
 
@@ -184,7 +196,7 @@ std::string text(double value) {
 GroupReport report(const Group& group, std::size_t index, const std::vector<PairSystem>& pairs,
                    const std::vector<UserEffect>& users) {
   GroupReport r{group.name, name(group.motion), group.live, group.why, {}, {}};
-  if (group.motion == MotionKind::pivoted) r.effects.push_back("pivot");
+  if (group.pivots()) r.effects.push_back("pivot");
   for (std::size_t e = 0; e < group.effects.size(); ++e) {
     const std::size_t count = group.instance_count(e);
     const std::string& effect = local_effects()[e].description.name;
@@ -216,7 +228,7 @@ std::vector<std::string> what_is_off(const std::vector<Group>& groups, const std
       off.push_back(local_effects()[e].description.name);
     }
   }
-  if (none([](const Group& g) { return g.motion == MotionKind::pivoted; })) off.push_back("pivot");
+  if (none([](const Group& g) { return g.pivots(); })) off.push_back("pivot");
   for (const PairEffectInfo& info : pair_effects()) {
     const auto is = [&](const PairSystem& system) { return system.info == &info; };
     if (std::none_of(pairs.begin(), pairs.end(), is)) off.push_back(info.description.name);

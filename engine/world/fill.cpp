@@ -87,7 +87,7 @@ void Builder::fill_constants(Group& group) {
     for (std::size_t i = 0; i < group.per_copy; ++i) group.inertia.push_back(inertia_of(body, i));
   }
   const auto inertia = [&](std::size_t row) { return wide(row_or(group.inertia, index(row), Vector3d(0, 0, 0))); };
-  if (group.motion == MotionKind::pivoted) {
+  if (group.pivots()) {
     const Effect& pivot = *pivot_of(scene_, body);
     const auto points = std::get<std::vector<Vector3d>>(complete_parameters(pivot, *find_effect("pivot")).at("point"));
     const auto point = [&](std::size_t row) { return wide(row_or(points, index(row), Vector3d(0, 0, 0))); };
@@ -103,6 +103,10 @@ void Builder::fill_constants(Group& group) {
              [&](std::size_t row) {
                return inverse_about_pivot(inertia(row), static_cast<Wide>(mass_of(body, index(row))), arm(row));
              });
+    if (world_.rotation_ != RotationRule::splitting) return;
+    constant(group, "principal_axes", "1, 1/(kg m^2)", k.principal, "rotation by splitting", [&](std::size_t row) {
+      return principal_axes(inverse_about_pivot(inertia(row), static_cast<Wide>(mass_of(body, index(row))), arm(row)));
+    });
     return;
   }
   PerBody inverse[3];
@@ -140,14 +144,14 @@ void Builder::fill_row(Group& group, std::size_t row, const Start& start) {
   }
   if (!group.spins()) return;
   Vector3<Wide> spin = start.angular_velocity;
-  if (group.motion == MotionKind::pivoted && dot(spin, spin) == 0) {  // given by a velocity instead: w = r x v / r^2
+  if (group.pivots() && dot(spin, spin) == 0) {  // given by a velocity instead: w = r x v / r^2
     const BodyConstants& k = group.kernel.constants;
     const Vector3<Real> pivot = vector_at<Real>(k.pivot, row);
     const Vector3<Wide> r = start.position - Vector3<Wide>{pivot.x, pivot.y, pivot.z};
     spin = (1 / dot(r, r)) * cross(r, start.velocity);
   }
   put3(state.momentum, momentum_for(group, row, start.orientation, spin));
-  if (group.motion == MotionKind::pivoted) place_pivoted(group, row);
+  if (group.pivots()) place_pivoted(group, row);
 }
 
 /// Padding rows move as the last body does, so that they never turn into something slow or not finite before it.
@@ -192,7 +196,8 @@ void Builder::add_effects(Group& group) {
     if (info.stiffness) sum = sum + info.stiffness(input);
   }
   group.list_instances();
-  if (group.live == 0 || group.motion == MotionKind::pivoted) return;
+  group.kernel.forces.turning_apart = world_.row_->turns_velocity;
+  if (group.live == 0 || group.pivots()) return;
   local_stiffness_.push_back({&group, sum / mass});
 }
 
@@ -209,7 +214,7 @@ void Builder::add_carry(Group& group) {
 void Builder::add_rates(Group& group) {
   const Method& method = world_.adaptive_ ? world_.unit_ : world_.method_;
   const bool multistep = method.history > 0, keeps = multistep || world_.keeps_rates_;
-  if (world_.fused_ && !keeps) return;
+  if (world_.fused_ && !keeps && !world_.adaptive_) return;
   const int size = state_size(group.carried);
   std::vector<bool> used(static_cast<std::size_t>(std::max(method.phases, method.history_begin + method.history)),
                          true);
@@ -260,6 +265,7 @@ void Builder::add_scratch(Group& group) {
   add("trial_velocity", "m/s", Role::rate, k.trial.velocity, "staged path");
   if (group.spins()) add("trial_angular_momentum", "kg m^2/s", Role::rate, k.trial.momentum, "staged path");
   if (group.turns()) add("trial_orientation", "1", Role::rate, k.trial.orientation, "staged path");
+  if (turns_by_vector(group)) add("trial_turn", "rad", Role::rate, k.trial.turn, "staged path, run.rotation");
   add_rates(group);
   for (std::size_t u = 0; u < world_.users_.size(); ++u) {
     const Effect as_effect{.kind = {}, .groups = world_.users_[u].groups, .parameters = {}};

@@ -4,6 +4,7 @@
 
 #include "engine/effects/mutual_gravity.h"
 #include "engine/integrators/families.h"
+#include "engine/kernels/exponential_motion.h"
 #include "engine/world/kernel_table.h"
 
 namespace ballpark::BALLPARK_PRECISION {
@@ -32,22 +33,25 @@ BALLPARK_INLINE void store_state(const StepGroup& group, const Constants& c, con
   for (int i = 0; compensated && i < M::size; ++i) store(group.carry[i] + c.row, state.carry[i]);
 }
 
-/// Moves rows by move(constants, state), which is all of a step or its end. `embeds`: it may be undone, and tells its
-/// error.
+/// Moves rows by move(constants, state), which is all of a step or its end, so many times. `embeds`: it may be undone,
+/// and tells its error.
 template <class S, bool embeds, class Move>
-BALLPARK_INLINE Moved move_rows(const StepGroup& group, std::size_t first, std::size_t last, Move move) {
+BALLPARK_INLINE Moved move_rows(const StepGroup& group, int steps, std::size_t first, std::size_t last, Move move) {
   using M = typename S::Motion;
   using V = typename S::Value;
   V poison = V(Real(0)), over = V(Real(0));
   for (std::size_t row = first; row < last; row += lane_count<V>) {
-    const auto c = M::template constants<V>(group.constants, row);
+    auto c = M::template constants<V>(group.constants, row);
     S state;
     load_state(group, row, state);
     if constexpr (embeds) {
       if (group.before.velocity[0]) M::store(group.before, c, state.y);
     }
-    move(c, state);
-    state.normalise();
+    for (int s = 0; s < steps; ++s) {
+      if (s > 0) M::begin_again(c, state.y);
+      move(c, state);
+      state.normalise();
+    }
     store_state(group, c, state);
     if constexpr (embeds) {  // padding may go where no body goes
       const V zero = V(Real(0)), bodies = V(static_cast<Real>(row < group.live ? group.live - row : 0));
@@ -66,9 +70,10 @@ BALLPARK_INLINE Moved move_rows(const StepGroup& group, std::size_t first, std::
 
 /// A whole step in registers: memory is read and written once.
 template <class F, class M, class V, bool compensated>
-BALLPARK_INLINE Moved step_rows(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
+BALLPARK_INLINE Moved step_rows(const StepGroup& group, const Method& method, int steps, std::size_t first,
+                                std::size_t last) {
   return move_rows<State<M, V, compensated>, F::embeds>(
-      group, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
+      group, steps, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
         whole_step<F>(method, c, group.forces, ColumnRates<M, V>{group.rates, c.row}, state);
       });
 }
@@ -82,13 +87,13 @@ BALLPARK_INLINE void clear(Real* const (&sums)[3], std::size_t row) {
 /// Two registers of particles at a time, unless all of them fit in one; a turning body's state fills the registers
 /// alone. `vector<n>` is the vector type of n registers, or Real.
 template <class F, class M, template <int> class Vector, bool compensated>
-static Moved fused_step(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
+static Moved fused_step(const StepGroup& group, const Method& method, int steps, std::size_t first, std::size_t last) {
   if constexpr (!M::turns && !M::spins) {
     if (last - first > lane_count<Vector<1>>) {
-      return step_rows<F, M, Vector<2>, compensated>(group, method, first, last);
+      return step_rows<F, M, Vector<2>, compensated>(group, method, steps, first, last);
     }
   }
-  return step_rows<F, M, Vector<1>, compensated>(group, method, first, last);
+  return step_rows<F, M, Vector<1>, compensated>(group, method, steps, first, last);
 }
 
 template <class F, class M, class V, bool compensated>
@@ -98,7 +103,7 @@ static void prepare_pass(const StepGroup& group, const Method& method, int phase
     State<M, V, compensated> state;
     V trial[M::size];
     load_state(group, row, state);
-    F::prepare(method, phase, c, state, ColumnRates<M, V>{group.rates, row}, trial);
+    F::prepare(method, phase, c, group.forces, state, ColumnRates<M, V>{group.rates, row}, trial);
     if constexpr (F::prepare_moves) store_state(group, c, state);
     M::store(group.trial, c, trial);
     if constexpr (M::spins) {
@@ -127,17 +132,40 @@ static void evaluate_pass(const StepGroup& group, int phase, std::size_t first, 
 template <class F, class M, class V, bool compensated>
 static Moved finish_pass(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
   return move_rows<State<M, V, compensated>, F::embeds>(
-      group, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
+      group, 1, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
         F::finish(method, c, group.forces, ColumnRates<M, V>{group.rates, c.row}, state);
       });
 }
 
+/// Special motions are for Runge-Kutta methods alone, whatever their tableau, and are never compensated: null.
+template <class F, class M, bool compensated>
+inline constexpr bool runs = !M::special || (std::is_same_v<typename F::Staged, ExplicitRungeKutta> && !compensated);
+
+template <class F, class M, template <int> class Vector, bool compensated>
+static constexpr FusedStep* fused_kernel() {
+  using Whole = std::conditional_t<M::special, typename F::Staged, F>;
+  if constexpr (runs<F, M, compensated>) return &fused_step<Whole, M, Vector, compensated>;
+  return nullptr;
+}
 /// Passes wait for memory rather than for results: one register at a time.
+template <class F, class M, template <int> class Vector, bool compensated>
+static constexpr Prepare* prepare_kernel() {
+  if constexpr (runs<F, M, compensated>) {
+    return &prepare_pass < typename F::Staged, M, Vector<1>, compensated && F::prepare_moves > ;
+  }
+  return nullptr;
+}
+template <class F, class M, template <int> class Vector, bool compensated>
+static constexpr Finish* finish_kernel() {
+  if constexpr (runs<F, M, compensated>) return &finish_pass<typename F::Staged, M, Vector<1>, compensated>;
+  return nullptr;
+}
+
 template <class F, bool compensated, template <int> class Vector, class... M>
 static constexpr FamilyKernels family_kernels() {
-  return {{&fused_step<F, M, Vector, compensated>...},
-          {&prepare_pass < typename F::Staged, M, Vector<1>, compensated && F::prepare_moves > ...},
-          {&finish_pass<typename F::Staged, M, Vector<1>, compensated>...}};
+  return {{fused_kernel<F, M, Vector, compensated>()...},
+          {prepare_kernel<F, M, Vector, compensated>()...},
+          {finish_kernel<F, M, Vector, compensated>()...}};
 }
 
 template <bool compensated, template <int> class Vector, class... M>
@@ -162,7 +190,9 @@ static constexpr KernelTable make_table(const char* target) {
 template <template <int> class Vector>
 static constexpr KernelTable table_of_all_motions(const char* target) {
   return make_table<Vector, FreeMotion<Spin::none>, FreeMotion<Spin::carried>, FreeMotion<Spin::oriented>,
-                    FreeMotion<Spin::rigid>, PivotedMotion>(target);
+                    FreeMotion<Spin::rigid>, PivotedMotion, FreeMotion<Spin::body>,
+                    ExponentialMotion<FreeMotion<Spin::oriented>>, ExponentialMotion<FreeMotion<Spin::rigid>>,
+                    ExponentialMotion<PivotedMotion>>(target);
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -29,8 +29,8 @@ bool lasts(const Column& column) {
 
 /// Does any force, or the rate of another state column, depend on this column of the group?
 bool is_read(const Group& group, const std::string& column) {
-  if (column == "orientation") return group.motion == MotionKind::rigid || group.motion == MotionKind::pivoted;
-  if (column == "angular_momentum") return group.motion != MotionKind::point;
+  if (column == "orientation") return group.motion != MotionKind::point && group.carried != MotionKind::oriented;
+  if (column == "angular_momentum" || column == body_momentum) return group.motion != MotionKind::point;
   return true;
 }
 

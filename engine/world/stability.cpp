@@ -23,14 +23,21 @@ using Number = std::complex<double>;
 /// v.
 struct OscillatorForces {
   Real spring, damping, gyration;
+  bool turning_apart = false;  ///< as in LocalForces
   static constexpr bool read_position = true;
   template <class V>
   Loads<V> loads(const Body<V>& b) const {
-    return {V(-spring) * b.position - V(damping) * b.velocity - turned(b.velocity), {}};
+    const Vector3<V> rest = V(-spring) * b.position - V(damping) * b.velocity;
+    return {turning_apart ? rest : rest - turned(b.velocity), {}};
   }
   template <class V>
   Loads<V> load_rates(const Body<V>& b, const Acceleration<V>& a) const {
     return {V(-spring) * b.velocity - V(damping) * a.linear - turned(a.linear), {}};
+  }
+
+  template <class V>
+  Vector3<V> turning(const Body<V>&) const {
+    return {V(Real(0)), V(Real(0)), V(-gyration)};
   }
 
  private:
@@ -45,8 +52,8 @@ struct Oscillator {
   OscillatorForces forces;
   Point::Constants<Real> constants;
 
-  Oscillator(double spring, double damping, double gyration)
-      : forces{static_cast<Real>(spring), static_cast<Real>(damping), static_cast<Real>(gyration)} {
+  Oscillator(const Method& m, double spring, double damping, double gyration)
+      : forces{static_cast<Real>(spring), static_cast<Real>(damping), static_cast<Real>(gyration), m.turns_velocity} {
     BodyConstants unit_mass;
     unit_mass.mass.value = 1;
     constants = Point::constants<Real>(unit_mass, 0);
@@ -138,7 +145,7 @@ constexpr double tolerance = 64 * static_cast<double>(std::numeric_limits<Real>:
 /// Largest |eigenvalue| of the step matrix in (x, v h): scaled so that entries are of one size.
 double spectral_radius(const Row& row, double spring_h2, double damping_h, double gyration_h) {
   const Method m = method_for(row, 1);
-  const Oscillator oscillator(spring_h2, damping_h, gyration_h);
+  const Oscillator oscillator(m, spring_h2, damping_h, gyration_h);
   const bool free = spring_h2 == 0;  // its position keeps an eigenvalue of 1
   if (m.history > 0 && gyration_h == 0) return companion_radius<double>(m, oscillator, free);
   if (m.history > 0) return companion_radius<Number>(m, oscillator, free);
@@ -199,11 +206,11 @@ std::vector<IntegratorDescription> describe_integrators() {
   std::vector<IntegratorDescription> all;
   for (const Row& row : rows()) {
     const int evaluations = row.phases;
-    const bool blind = row.family == Family::splitting && row.order > 2;  // refuses forces that read velocity
+    const bool blind = row.family == Family::splitting && (row.order > 2 || row.turns_velocity);  // refuses drag
     const double real = blind ? 0 : boundary([&](double t) { return spectral_radius(row, 0, t, 0); }, 1);
     const double imaginary = boundary([&](double t) { return spectral_radius(row, t * t, 0, 0); }, 1);
     all.push_back({row.name, row.doc, row.source, name(row.family), row.order, evaluations, row.embeds(), row.history,
-                   row.symplectic, real, imaginary});
+                   row.symplectic, row.turns_velocity, real, imaginary});
   }
   return all;
 }

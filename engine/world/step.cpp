@@ -27,9 +27,34 @@ void World::advance_to(double t, std::uint64_t most_steps) {
 void World::run(std::uint64_t most_steps, double until) {
   std::optional<FlushDenormals> flush;  // once for all steps; contacts flush in their passes alone
   if (!contacts_) flush.emplace();
-  for (std::uint64_t i = 0; i < most_steps && time() < until && !stuck_; ++i) {
-    adaptive_ ? adaptive_step(until) : one_step();
+  for (std::uint64_t i = 0; i < most_steps && time() < until && !stuck_;) {
+    const int n = adaptive_ ? 1 : steps_at_once(most_steps - i);
+    adaptive_ ? adaptive_step(until) : n > 1 ? many_steps(n) : one_step();
+    i += static_cast<std::uint64_t>(n);
   }
+}
+
+/// How many of the next steps one kernel may take while the bodies are in registers: those of a world of one block in
+/// which nothing happens until then.
+int World::steps_at_once(std::uint64_t most) const {
+  if (!fused_ || impulse_ || profiling_ || row_->family == Family::multistep || whole_.blocks.size() != 1) return 1;
+  constexpr std::uint64_t longest = 256;
+  double free = static_cast<double>(std::min(most, longest));
+  if (next_event_ < events_.size()) free = std::min(free, (events_[next_event_].at - time()) / step_ - on_the_step);
+  return std::max(1, static_cast<int>(free));
+}
+
+/// As so many single steps. If something is no longer finite they are taken once more, one by one, to tell when.
+void World::many_steps(int n) {
+  columns_.save(Role::state, before_);
+  activate_windows(time(), step_);
+  if (!fused_pass(method_, n).finite && status_.code != Status::Code::non_finite) {
+    columns_.restore(Role::state, before_);
+    for (int i = 0; i < n; ++i) one_step();
+    return;
+  }
+  counters_.force_evaluations += static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(method_.phases);
+  counters_.steps += static_cast<std::uint64_t>(n);
 }
 
 /// begin -> events of this step, each at its time -> smooth motion in between -> finish
@@ -61,7 +86,7 @@ void World::advance(double from, double h) {
   if (impulse_) return contact_substeps(from, h);
   const bool whole = h == step_, multistep = row_->family == Family::multistep;
   if (!multistep) {
-    report_non_finite(smooth_motion(whole ? method_ : method_for(*row_, h), from));
+    report_non_finite(smooth_motion(whole ? method_ : method_for(*row_, h, rotation_), from));
   } else if (!whole) {
     report_non_finite(smooth_motion(method_for(*find_row(starter_name), h), from));
   } else {
@@ -74,14 +99,14 @@ void World::advance(double from, double h) {
 
 Moved World::smooth_motion(const Method& method, double from) {
   counters_.force_evaluations += static_cast<std::uint64_t>(method.phases - method.first_known);
-  return fused_ ? fused_pass(method) : staged_step(method, from);
+  return fused_ ? fused_pass(method, 1) : staged_step(method, from);
 }
 
 /// contacts found -> for each substep: smooth motion as a trial -> impacts reflected -> solve -> relax
 void World::contact_substeps(double from, double h) {
   const int count = impulse_->substeps;
   const double substep = h / count;
-  const Method method = h == step_ ? contact_method_ : method_for(*row_, substep);
+  const Method method = h == step_ ? contact_method_ : method_for(*row_, substep, rotation_);
   for (int i = 0; i < count; ++i) {
     const double at = from + i * substep;
     timed("read_contacts", [&] {
@@ -124,10 +149,10 @@ const FamilyKernels& World::kernels_of(const Group& group, const Method& method)
   return kernels_->family(method.family, group.kernel.carry != nullptr);
 }
 
-Moved World::fused_pass(const Method& method) {
+Moved World::fused_pass(const Method& method, int steps) {
   return moving_pass(whole_, "fused_step", [&](const Group& group, const Block& block) {
     FusedStep* kernel = kernels_of(group, method).fused[static_cast<int>(group.motion)];
-    return kernel(group.kernel, method, block.first, block.last);
+    return kernel(group.kernel, method, steps, block.first, block.last);
   });
 }
 

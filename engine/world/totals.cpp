@@ -45,7 +45,7 @@ void add_body(const Group& group, std::size_t row, Totals& sum) {
   } else {
     sum.kinetic += static_cast<double>(half * b.mass * dot(b.velocity, b.velocity));
     if constexpr (M::spins) {
-      const Vector3<Real> own = vector_from(y + M::momentum);
+      const Vector3<Real> own = M::angular_momentum(y);
       sum.kinetic += static_cast<double>(half * dot(b.spin, own));
       angular += to_double(own);
     }
@@ -74,7 +74,7 @@ Totals World::totals() const {
   std::vector<Totals> parts(blocks.size());
   workers_.for_each(blocks.size(), [&](std::size_t b) {
     const Group& group = groups_[blocks[b].group];
-    with_motion(group.carried, [&]<class M>() {
+    with_carried(group.carried, [&]<class M>() {
       for (std::size_t row = blocks[b].first; row < blocks[b].last; ++row) {
         add_body<M>(group, row, parts[b]);
       }

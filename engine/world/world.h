@@ -13,6 +13,7 @@
 #include "engine/core/workers.h"
 #include "engine/integrators/rows.h"
 #include "engine/integrators/step_control.h"
+#include "engine/kernels/exponential_motion.h"
 #include "engine/store/columns.h"
 #include "engine/world/contact_step.h"
 #include "engine/world/inertia.h"
@@ -35,6 +36,7 @@ struct Group {
   std::size_t first_row = 0, live = 0;
   MotionKind motion = MotionKind::point;                  ///< how it is stepped
   MotionKind carried = MotionKind::point;                 ///< with the columns that it carries but no force changes
+  MotionKind turning = MotionKind::point;                 ///< how it is stepped once its spin changes
   std::string why;                                        ///< of the motion
   std::vector<std::pair<std::string, double>> constants;  ///< equal over the group, by name
   std::vector<Vector3d> inertia;  ///< principal moments [kg m^2]: none, one, or one for each body of a copy
@@ -51,6 +53,7 @@ struct Group {
 
   bool turns() const { return carried >= MotionKind::oriented; }
   bool spins() const { return carried != MotionKind::point; }
+  bool pivots() const { return carried == MotionKind::pivoted; }
   std::size_t instance_count(std::size_t e) const { return effects[e].size() / local_effects()[e].constants_size; }
   /// After a change of effects: tells the kernels.
   void list_instances();
@@ -126,6 +129,8 @@ class World : public WorldInterface {
 
   // step.cpp
   void run(std::uint64_t most_steps, double until);
+  int steps_at_once(std::uint64_t most) const;
+  void many_steps(int n);
   void one_step();
   void advance(double from, double h);
   void take_effect(const Event& event);
@@ -138,7 +143,7 @@ class World : public WorldInterface {
   StepLimit limit_of(const Stiffness& per_mass) const;
   void activate_windows(double from, double h);
   const FamilyKernels& kernels_of(const Group& group, const Method& method) const;
-  Moved fused_pass(const Method& method);
+  Moved fused_pass(const Method& method, int steps);
   template <class Action>
   void timed(const char* name, Action action);
   template <class Task>
@@ -182,6 +187,7 @@ class World : public WorldInterface {
   std::size_t id_of(const Group& group, std::size_t row) const;
 
   Columns columns_;
+  std::vector<Real> before_;   ///< scratch: the state when many steps at once began
   std::vector<Group> groups_;  ///< by row; those that carry more columns last
   Part whole_;                 ///< all copies
   std::vector<Moved> moved_;   ///< of each part
@@ -193,6 +199,7 @@ class World : public WorldInterface {
   std::vector<Event> events_;  ///< by time
   std::size_t next_event_ = 0;
   const Row* row_ = nullptr;
+  RotationRule rotation_ = RotationRule::renormalise;
   Method method_;
   Method starter_;                 ///< multistep: of its first steps
   int known_sets_ = 0;             ///< multistep: rates of earlier steps at hand
@@ -264,9 +271,9 @@ Moved World::moving_pass(Part& part, const char* name, Move move) {
   return all_of(part.moved);
 }
 
-/// Calls f with the motion's type, as `f.template operator()<M>()`.
+/// Calls f with the type of a motion that groups carry, as `f.template operator()<M>()`.
 template <class F>
-decltype(auto) with_motion(MotionKind kind, F&& f) {
+decltype(auto) with_carried(MotionKind kind, F&& f) {
   switch (kind) {
     case MotionKind::spinning:
       return f.template operator()<FreeMotion<Spin::carried>>();
@@ -276,13 +283,30 @@ decltype(auto) with_motion(MotionKind kind, F&& f) {
       return f.template operator()<FreeMotion<Spin::rigid>>();
     case MotionKind::pivoted:
       return f.template operator()<PivotedMotion>();
-    case MotionKind::point:
-      break;
+    case MotionKind::body_frame:
+      return f.template operator()<FreeMotion<Spin::body>>();
+    default:
+      return f.template operator()<FreeMotion<Spin::none>>();
   }
-  return f.template operator()<FreeMotion<Spin::none>>();
 }
 
-/// L of a body that turns with `spin` (world frame) at an orientation, about its centre of mass or its pivot.
+/// Likewise, of any that steps.
+template <class F>
+decltype(auto) with_motion(MotionKind kind, F&& f) {
+  switch (kind) {
+    case MotionKind::oriented_exponential:
+      return f.template operator()<ExponentialMotion<FreeMotion<Spin::oriented>>>();
+    case MotionKind::rigid_exponential:
+      return f.template operator()<ExponentialMotion<FreeMotion<Spin::rigid>>>();
+    case MotionKind::pivoted_exponential:
+      return f.template operator()<ExponentialMotion<PivotedMotion>>();
+    default:
+      return with_carried(kind, f);
+  }
+}
+
+/// What a group's column of angular momentum holds of a body that turns with `spin` (world frame) at an orientation:
+/// L about its centre of mass or its pivot, world frame, or in the body's axes where they carry it.
 Vector3<Wide> momentum_for(const Group& group, std::size_t row, const Quaternion& orientation,
                            const Vector3<Wide>& spin);
 /// Position and velocity of a pivoted body follow from its rotation: writes them.
@@ -291,6 +315,8 @@ void place_pivoted(const Group& group, std::size_t row);
 bool is_finite(const Group& group, std::size_t row);
 
 const char* name(MotionKind kind);
+/// Of the column that holds angular momenta in the bodies' own axes.
+inline constexpr const char* body_momentum = "body_angular_momentum";
 /// Number of values of state that the motion integrates.
 int state_size(MotionKind kind);
 /// nullptr if this build or machine has no such target.

@@ -34,6 +34,7 @@ struct EffectDescription {
   std::vector<std::string> exerts;  ///< "force", "torque", "constraint"
   bool has_energy = false;
   bool has_force_derivative = false;  ///< usable with taylor2
+  bool turns_velocity = false;        ///< reads velocity only to turn it, at a rate that it tells: usable with boris
   int flops = 0;                      ///< per evaluation and body (between bodies: and pair)
   bool between_bodies = false;        ///< takes the staged path
 };
@@ -44,12 +45,13 @@ struct IntegratorDescription {
   std::string source;
   std::string family;
   int order = 0;
-  int evaluations = 0;         ///< of all forces, per step
-  bool adaptive = false;       ///< has an embedded estimate of its error: takes run.tolerance in place of run.step
-  int start_steps = 0;         ///< multistep: first steps, which rk4 takes
-  bool symplectic = false;     ///< for forces that do not read velocity
-  double real_limit = 0;       ///< stability: h |lambda| for y' = lambda y, lambda < 0; 0: takes no such force
-  double imaginary_limit = 0;  ///< stability: h omega for x'' = -omega^2 x; 0: always grows
+  int evaluations = 0;          ///< of all forces, per step
+  bool adaptive = false;        ///< has an embedded estimate of its error: takes run.tolerance in place of run.step
+  int start_steps = 0;          ///< multistep: first steps, which rk4 takes
+  bool symplectic = false;      ///< for forces that do not read velocity
+  bool turns_velocity = false;  ///< takes forces that read velocity only to turn it, and keeps the speed in them
+  double real_limit = 0;        ///< stability: h |lambda| for y' = lambda y, lambda < 0; 0: takes no such force
+  double imaginary_limit = 0;   ///< stability: h omega for x'' = -omega^2 x; 0: always grows
 };
 
 struct NamedDescription {

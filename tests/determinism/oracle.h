@@ -69,12 +69,15 @@ class RandomGroup {
     make(kernel.trial.velocity, &Numbers::plain);
     make(kernel.trial.momentum, &Numbers::plain);
     make(kernel.trial.orientation, &Numbers::plain);
+    make(kernel.trial.turn, &Numbers::plain);
     make(kernel.trial_spin, &Numbers::plain);
+    make(kernel.constants.orientation, &Numbers::plain);
     make(carry_, &Numbers::any);
     make(rates_, &Numbers::plain);
     for (PerBody& inverse : kernel.constants.inverse_inertia) inverse.rows = add(&Numbers::plain);
     for (PerBody& arm : kernel.constants.arm) arm.rows = add(&Numbers::plain);
     for (PerBody& pivot : kernel.constants.pivot) pivot.value = numbers_.plain();
+    for (PerBody& axis : kernel.constants.principal) axis.rows = add(&Numbers::plain);
     kernel.constants.mass.rows = add(&Numbers::positive);
     kernel.rates = rates_;
     if (compensated) kernel.carry = carry_;
@@ -159,7 +162,7 @@ inline std::string difference(const RandomGroup& a, const RandomGroup& b) {
 /// A step of all rows on the path; returns what the kernel tells.
 inline Moved step(const KernelTable& table, const Method& method, int motion, bool fused, const StepGroup& group) {
   const FamilyKernels& kernels = table.family(method.family, group.carry != nullptr);
-  if (fused) return kernels.fused[motion](group, method, 0, rows);
+  if (fused) return kernels.fused[motion](group, method, 1, 0, rows);
   for (int phase = 0; phase < method.phases; ++phase) {
     kernels.prepare[motion](group, method, phase, 0, rows);
     table.evaluate[motion](group, phase, 0, rows);
@@ -198,8 +201,15 @@ inline void compare_everything() {
     REQUIRE(kernels != nullptr);
     for (const Row& row : BALLPARK_PRECISION::rows()) {
       for (int motion = 0; motion < motion_count; ++motion) {
+        if (!kernels->family(method_for(row, 1).family, false).fused[motion]) continue;
         for (unsigned seed = 1; seed <= 8; ++seed) {
-          compare(*kernels, row, method_for(row, 0.01), motion, seed % 2 == 0, seed);
+          const bool compensates = kernels->family(row.family, true).fused[motion] != nullptr;
+          compare(*kernels, row, method_for(row, 0.01), motion, compensates && seed % 2 == 0, seed);
+        }
+        if (row.family == Family::splitting) {
+          for (const RotationRule rule : {RotationRule::exponential, RotationRule::splitting}) {
+            compare(*kernels, row, method_for(row, 0.01, rule), motion, false, 9);
+          }
         }
         if (!row.embeds()) continue;
         Method pair = pair_for(row, 1e-6, 1e-6);

@@ -53,6 +53,8 @@ const char* name(Status::Code code) {
       return "stability";
     case Status::Code::accuracy:
       return "accuracy";
+    case Status::Code::unconverged:
+      return "unconverged";
     case Status::Code::non_finite:
       return "non_finite";
   }

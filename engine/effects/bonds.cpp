@@ -80,20 +80,31 @@ void Bonds::bound_stiffness(const PairBodies& bodies) {
   }
 }
 
+template <class V>
+Vector3<V> Bonds::force_on_b(std::size_t i, const Vector3<V>& r, const Vector3<V>& v) const {
+  const Bond& bond = bonds_[i % bonds_.size()];
+  const V distance = length(r), zero = V(Real(0));
+  if (!(distance > zero)) return distance == zero ? Vector3<V>{} : r;  // no direction
+  const V tension = V(bond.stiffness) * (distance - V(rest_lengths_[i])) + V(bond.damping) * dot(v, r) / distance;
+  return (-tension / distance) * r;
+}
+
+std::vector<Link> Bonds::links() const {
+  std::vector<Link> all;
+  for (const Bond& bond : bonds_) all.push_back({bond.a, bond.b, static_cast<std::uint32_t>(all.size())});
+  return all;
+}
+
+LinkForce Bonds::force_of(std::size_t copy, const Link& link, const Vector3<Real>& r, const Vector3<Real>& v) const {
+  return force_on_b(copy * bonds_.size() + link.index, as_variables(nearest_image(r, period_), 0), as_variables(v, 3));
+}
+
 void Bonds::add_forces(const PairBodies& bodies, Workers& workers) {
   const std::size_t first = bodies.first_copy, last = bodies.last_copy;
   for_all(first * bonds_.size(), last * bonds_.size(), workers, [&](std::size_t i) {
     const Bond& bond = bonds_[i % bonds_.size()];
     const std::size_t start = i / bonds_.size() * bodies.count, a = start + bond.a, b = start + bond.b;
-    const Vector3<Real> r = apart(bodies, a, b);
-    const Vector3<Real> v = bodies.velocity_of(b) - bodies.velocity_of(a);
-    const Real distance = length(r);
-    if (!(distance > 0)) {  // no direction
-      forces_[i] = distance == 0 ? Vector3<Real>{} : r;
-      return;
-    }
-    const Real tension = bond.stiffness * (distance - rest_lengths_[i]) + bond.damping * dot(v, r) / distance;
-    forces_[i] = (-tension / distance) * r;
+    forces_[i] = force_on_b(i, apart(bodies, a, b), bodies.velocity_of(b) - bodies.velocity_of(a));
   });
   for_all(first * bodies.count, last * bodies.count, workers, [&](std::size_t i) {
     const std::size_t copy = i / bodies.count, slot = i % bodies.count;

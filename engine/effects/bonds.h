@@ -13,6 +13,8 @@ class Bonds : public PairEffect {
   double energy(const PairBodies& bodies, Workers& workers) override;
   Stiffness per_mass() const override { return per_mass_; }
   PairCost cost() const override;
+  std::vector<Link> links() const override;
+  LinkForce force_of(std::size_t copy, const Link& link, const Vector3<Real>& r, const Vector3<Real>& v) const override;
   static EffectDescription description();
 
  private:
@@ -23,6 +25,9 @@ class Bonds : public PairEffect {
   struct End {
     std::uint32_t bond, is_a;
   };
+  /// On b of bond i, counted over all copies.
+  template <class V>
+  Vector3<V> force_on_b(std::size_t i, const Vector3<V>& r, const Vector3<V>& v) const;
   /// From a to b, or to its nearest image.
   Vector3<Real> apart(const PairBodies& bodies, std::size_t a, std::size_t b) const;
   void list_ends(const PairBodies& bodies);

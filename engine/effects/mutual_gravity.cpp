@@ -19,7 +19,8 @@ MutualGravity::MutualGravity(const PairInput& input)
     : strength_(input.effect.number("strength")),
       softening_(input.effect.number("softening")),
       kernels_(input.kernels),
-      count_(input.bodies.count) {}
+      count_(input.bodies.count),
+      masses_(input.bodies.mass, input.bodies.mass + input.bodies.count) {}
 
 /// A task is some whole copies, which begin with a cache line, or a part of one; so each has slots for a vector.
 template <class Act>
@@ -57,6 +58,24 @@ double MutualGravity::energy(const PairBodies& bodies, Workers& workers) {
   double sum = 0;
   for (const Real energy : energies) sum += static_cast<double>(energy);
   return sum;
+}
+
+/// Every body with each behind it, in that order.
+std::vector<Link> MutualGravity::links() const {
+  std::vector<Link> all;
+  for (std::uint32_t a = 0; a < count_; ++a) {
+    for (std::uint32_t b = a + 1; b < count_; ++b) all.push_back({a, b, static_cast<std::uint32_t>(all.size())});
+  }
+  return all;
+}
+
+LinkForce MutualGravity::force_of(std::size_t, const Link& link, const Vector3<Real>& apart,
+                                  const Vector3<Real>&) const {
+  using V = Dual<6>;
+  const LinkForce r = as_variables(apart, 0);
+  const V square = dot(r, r) + V(softening_ * softening_), zero = V(Real(0));
+  const V pull = V(strength_ * masses_[link.a] * masses_[link.b]) / (square * square_root(square));
+  return select(square > zero, -pull, zero) * r;
 }
 
 PairCost MutualGravity::cost() const {

@@ -90,6 +90,8 @@ class MutualGravity : public PairEffect {
   void add_forces(const PairBodies& bodies, Workers& workers) override;
   double energy(const PairBodies& bodies, Workers& workers) override;
   PairCost cost() const override;
+  std::vector<Link> links() const override;
+  LinkForce force_of(std::size_t copy, const Link& link, const Vector3<Real>& r, const Vector3<Real>& v) const override;
   static EffectDescription description();
 
  private:
@@ -100,6 +102,7 @@ class MutualGravity : public PairEffect {
   Real strength_, softening_;
   PairKernels kernels_;
   std::size_t count_;
+  std::vector<Real> masses_;  ///< of one copy
 };
 #endif
 

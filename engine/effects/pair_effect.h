@@ -3,11 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "engine/core/function_ref.h"
 #include "engine/core/workers.h"
 #include "engine/effects/effect_info.h"
 #include "engine/effects/pair_kernels.h"
+#include "engine/kernels/dual.h"
 #include "engine/kernels/period.h"
 
 namespace ballpark::BALLPARK_PRECISION {
@@ -35,6 +37,13 @@ struct PairCost {
   double bytes = 0, flops = 0;  ///< for one body
 };
 
+/// Two bodies of a copy that act on each other, by slot.
+struct Link {
+  std::uint32_t a, b, index;  ///< in links()
+};
+/// A force by what parts two bodies: with derivatives by r, then by v, both from a to b.
+using LinkForce = Vector3<Dual<6>>;
+
 class PairEffect {
  public:
   virtual ~PairEffect() = default;
@@ -45,7 +54,18 @@ class PairEffect {
   /// Bound on its stiffness and damping per mass [1/s^2, 1/s]: zero, it sets no limit to the step.
   virtual Stiffness per_mass() const { return {}; }
   virtual PairCost cost() const = 0;
+
+  // For implicit integrators: the same forces, pair by pair.
+  virtual std::vector<Link> links() const = 0;  ///< of one copy
+  /// Force on b of a link; that on a is its negative.
+  virtual LinkForce force_of(std::size_t copy, const Link& link, const Vector3<Real>& r,
+                             const Vector3<Real>& v) const = 0;
 };
+
+/// Variables of LinkForce, from the first on.
+inline LinkForce as_variables(const Vector3<Real>& a, int first) {
+  return {Dual<6>::variable(a.x, first), Dual<6>::variable(a.y, first + 1), Dual<6>::variable(a.z, first + 2)};
+}
 
 /// A scene's effect as its own code reads it. Parameters are checked and defaults filled in.
 struct PairInput {

@@ -392,6 +392,7 @@ decltype(auto) with_family(Family family, F&& f) {
     case Family::multistep:
       return f.template operator()<Multistep>();
     case Family::explicit_runge_kutta:
+    case Family::implicit_runge_kutta:  // solved elsewhere
       break;
   }
   return f.template operator()<ExplicitRungeKutta>();

@@ -14,8 +14,8 @@ namespace ballpark::BALLPARK_PRECISION {
 /// How orientations follow from spins. (Body: what moves is another motion, see Spin::body.)
 enum class RotationRule { renormalise, exponential, splitting, body };
 
-enum class Family { explicit_runge_kutta, chained_runge_kutta, taylor, splitting, multistep };
-inline constexpr int family_count = 5;
+enum class Family { explicit_runge_kutta, chained_runge_kutta, taylor, splitting, multistep, implicit_runge_kutta };
+inline constexpr int family_count = 5;  ///< of those with kernels: not the implicit one
 inline constexpr int max_phases = 27;
 inline constexpr int max_history = 4;  ///< sets of rates of earlier steps
 inline constexpr int max_errors = 2;

@@ -5,7 +5,7 @@ namespace ballpark::BALLPARK_PRECISION {
 const std::vector<Row>& rows() {
   static const std::vector<Row> all = [] {
     std::vector<Row> list = runge_kutta_rows();
-    for (const auto& more : {pair_rows(), extrapolation_rows(), splitting_rows(), multistep_rows()}) {
+    for (const auto& more : {pair_rows(), extrapolation_rows(), splitting_rows(), multistep_rows(), implicit_rows()}) {
       list.insert(list.end(), more.begin(), more.end());
     }
     return list;
@@ -31,6 +31,8 @@ const char* name(Family family) {
       return "splitting";
     case Family::multistep:
       return "multistep";
+    case Family::implicit_runge_kutta:
+      return "implicit Runge-Kutta";
   }
   return "";
 }
@@ -80,7 +82,7 @@ Method method_for(const Row& row, double step, RotationRule rotation) {
   long double drifted = row.lead;
   for (int i = 0; i < row.phases; ++i) {
     long double c = drifted;
-    for (int j = 0; j < i; ++j) {
+    for (int j = 0; j < (row.family == Family::implicit_runge_kutta ? row.phases : i); ++j) {
       m.a[i][j] = h * static_cast<Real>(row.a[i][j]);
       c += row.a[i][j];
     }

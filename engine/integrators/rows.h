@@ -18,7 +18,7 @@ struct Row {
   int order = 1;
   int phases = 1;
   bool symplectic = false;
-  long double a[max_phases][max_phases] = {};  ///< Runge-Kutta: Butcher's a_ij
+  long double a[max_phases][max_phases] = {};  ///< Runge-Kutta: Butcher's a_ij; implicit: j >= i too
   long double b[max_phases] = {};              ///< Runge-Kutta: weights
   /// Embedded pair: weights of the error of b, the last one of a further phase at y'. A second estimate, if any, is of
   /// lower order.
@@ -49,6 +49,7 @@ std::vector<Row> pair_rows();
 std::vector<Row> extrapolation_rows();
 std::vector<Row> multistep_rows();
 std::vector<Row> splitting_rows();
+std::vector<Row> implicit_rows();
 
 /// The row's coefficients times the step h [s].
 Method method_for(const Row& row, double h, RotationRule rotation = RotationRule::renormalise);

@@ -90,8 +90,8 @@ inline constexpr std::size_t lane_count = sizeof(V) / sizeof(Real);
 
 template <class V>
 BALLPARK_INLINE V load(const Real* p) {
-  if constexpr (std::is_same_v<V, Real>) {
-    return *p;
+  if constexpr (lane_count<V> == 1) {
+    return V(*p);
   } else {
     V v;
     for (auto& r : v.part) {

@@ -90,6 +90,7 @@ void Builder::build() {
   add_pair_systems();
   check_stability();
   add_blocks();
+  add_implicit();
   add_events();
   add_contacts();
 }
@@ -122,6 +123,9 @@ void Builder::check_options() {
                                   [&](const auto& known) { return known.name == scene_.run.integrator; });
     if (user.reads_velocity && row != integrators().end() && blind(*row)) {
       refuse("run.integrator", needs_blind_forces(*row, "user effect \"" + user.name + "\""));
+    }
+    if (row != integrators().end() && row->implicit) {
+      refuse("run.integrator", needs_derivatives(*row, "user effect \"" + user.name + "\""));
     }
     if (scene_.run.integrator == "taylor2") {
       refuse("run.integrator", "taylor2 needs the time derivative of every force, which user effect \"" + user.name +
@@ -306,6 +310,9 @@ void Builder::choose_path() {
   if (!world_.users_.empty()) {
     world_.fused_ = false;
     world_.path_reason_ = "user effects run as passes of their own";
+  } else if (find_row(scene_.run.integrator)->family == Family::implicit_runge_kutta) {
+    world_.fused_ = true;
+    world_.path_reason_ = "each body, or set of bodies that pull at each other, is solved for its stages at once";
   } else if (const Effect* effect = pair_effect_of(scene_)) {
     world_.fused_ = false;
     world_.path_reason_ = effect->kind + " acts between bodies: their forces are summed in passes of their own";

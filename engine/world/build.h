@@ -42,6 +42,7 @@ class Builder {
   void add_before(Group& group);
   void add_scratch(Group& group);
   void add_blocks();
+  void add_implicit();
   void add_parts();
   void add_events();
   // build_pairs.cpp

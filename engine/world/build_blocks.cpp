@@ -23,6 +23,13 @@ void Builder::add_blocks() {
   world_.arrange_rates();
 }
 
+void Builder::add_implicit() {
+  if (world_.row_->family != Family::implicit_runge_kutta) return;
+  world_.implicit_ =
+      std::make_unique<ImplicitStep>(*world_.row_, world_.groups_, world_.pair_systems_, block_length,
+                                     [this](const Group& group, std::size_t row) { return world_.id_of(group, row); });
+}
+
 /// Few bodies, which stay in cache for all of a step: some copies, whose rows in each group begin with a cache line and
 /// so with a vector.
 void Builder::add_parts() {

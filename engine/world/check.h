@@ -55,6 +55,8 @@ void check_integrator(const Scene& scene, Problems& problems);
 /// Does the method lose its order where a force reads velocity, and how that is said.
 bool blind(const IntegratorDescription& row);
 std::string needs_blind_forces(const IntegratorDescription& row, const std::string& reader);
+/// How it is said that an implicit method lacks a force's derivatives.
+std::string needs_derivatives(const IntegratorDescription& row, const std::string& force);
 void check_bodies(const Scene& scene, Problems& problems);
 void check_effects(const Scene& scene, Problems& problems);
 void check_contacts(const Scene& scene, Problems& problems);

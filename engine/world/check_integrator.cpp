@@ -86,6 +86,13 @@ void check_rotation(const Scene& scene, const IntegratorDescription& row, Proble
   }
 }
 
+std::string needs_derivatives(const IntegratorDescription& row, const std::string& force) {
+  return fmt::format(
+      "{} needs the derivatives of every force by position and velocity, which {} does not give; expected another "
+      "integrator, e.g. rk4",
+      row.name, force);
+}
+
 /// Tolerances need an estimate of the error; contacts need steps that begin anew each time.
 void check_pace(const Scene& scene, const IntegratorDescription& row, Problems& problems) {
   const bool multistep = row.start_steps > 0, tolerance = scene.run.tolerance != 0;
@@ -106,6 +113,19 @@ void check_pace(const Scene& scene, const IntegratorDescription& row, Problems& 
     problems.add("run.integrator", row.name +
                                        " looks back, to before a contact began and its friction with it; expected a "
                                        "one-step integrator, e.g. rk4");
+  }
+}
+
+/// What all bodies do to each other makes a full matrix.
+void check_size(const Scene& scene, const IntegratorDescription& row, Problems& problems) {
+  constexpr std::size_t most = 100;
+  for (const Effect& effect : scene.effects) {
+    std::size_t bodies = 0;
+    for (const BodyGroup& group : scene.bodies) bodies += acts_on(effect, group) ? body_count(group) : 0;
+    if (effect.kind != "mutual_gravity" || bodies <= most) continue;
+    problems.add("run.integrator", fmt::format("{} solves for all bodies under mutual_gravity at once, which takes too "
+                                               "long for {}, expected at most {}; or another integrator, e.g. rk4",
+                                               row.name, bodies, most));
   }
 }
 
@@ -135,6 +155,8 @@ void check_integrator(const Scene& scene, Problems& problems) {
   }
   check_pace(scene, row, problems);
   check_rotation(scene, row, problems);
+  if (row.implicit && scene.contact.kind == "penalty") refuse(needs_derivatives(row, "a penalty contact"));
+  if (row.implicit) check_size(scene, row, problems);
   if (row.family == "Taylor" && scene.contact.kind == "penalty") {
     refuse(
         "taylor2 needs the time derivative of every force, which penalty contacts do not give; expected another "

@@ -64,7 +64,7 @@ struct Terms {
 Terms terms(const Method& m) {
   Terms t;
   for (int i = 0; i < m.phases; ++i) {
-    for (int j = 0; j < i; ++j) t.stages += m.a[i][j] != 0;
+    for (int j = 0; j < m.phases; ++j) t.stages += m.a[i][j] != 0;
     t.weights += m.b[i] != 0;
     if (m.family == Family::splitting) t.weights += (m.kick[i] != 0) + (m.drift[i] != 0);
   }
@@ -153,6 +153,15 @@ struct PassWriter {
     const double kept = size * (method.history > 0 ? method.history + 1 : estimates() ? 2 : 0);
     add("fused_step", with_kept(with_carry(state_names(group.motion))), with_before(with_kept(with_carry(written()))),
         motion.reads + motion.writes + 2 * carried() + kept + before(), flops, 1, reason);
+  }
+
+  /// Arithmetic of one iteration, which most steps take two or three of: rates on duals, each of whose products is 3
+  /// for each variable; and the factors of a dense matrix (bodies that are solved together have larger ones).
+  void implicit() {
+    const double unknowns = size * method.phases;
+    const double rates = method.phases * (motion.flops + effect_flops()) * (1 + 3.0 * size);
+    add("implicit_step", with_carry(state_names(group.motion)), with_carry(written()),
+        motion.reads + motion.writes + 2 * carried(), rates + unknowns * unknowns * (2 * unknowns / 3 + 2), 1, reason);
   }
 
   void staged() {
@@ -254,7 +263,7 @@ void put_in_order(std::vector<PassReport>& passes) {
 
 Explanation World::explain() const {
   Explanation all;
-  all.path = fused_ ? "fused" : "staged";
+  all.path = implicit_ ? "implicit" : fused_ ? "fused" : "staged";
   all.path_reason = path_reason_;
   all.integrator = row_->name;
   all.precision = precision() == Precision::single_   ? "single"
@@ -271,9 +280,11 @@ Explanation World::explain() const {
     if (group.live == 0) continue;
     all.groups.push_back(report(group, g, pair_systems_, users_));
     PassWriter writer{group, method_, method_.phases - keeps_rates_, columns_, path_reason_, all.passes};
-    fused_ ? writer.fused() : writer.staged();
+    implicit_ ? writer.implicit() : fused_ ? writer.fused() : writer.staged();
   }
-  for (const PairSystem& system : pair_systems_) system.explain(groups_, method_.phases - keeps_rates_, all);
+  for (const PairSystem& system : pair_systems_) {
+    if (!implicit_) system.explain(groups_, method_.phases - keeps_rates_, all);
+  }
   if (penalty_) penalty_->explain(groups_, all);
   if (!fused_) put_in_order(all.passes);
   if (impulse_) impulse_->explain(groups_, all);

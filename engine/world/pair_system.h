@@ -34,6 +34,8 @@ class PairSystem {
   void add_forces(const std::vector<Group>& groups, const CopyRange& range, Workers& workers);
   double energy(const std::vector<Group>& groups, Workers& workers);
   void explain(const std::vector<Group>& groups, int calls, Explanation& all) const;
+  std::size_t count() const { return count_; }  ///< bodies of a copy
+  std::size_t copies() const { return copies_; }
 
  private:
   PairBodies look(const std::vector<Group>& groups, StateColumns StepGroup::*columns, const CopyRange& range,

@@ -139,11 +139,40 @@ double companion_radius(const Method& m, const Oscillator& oscillator, bool free
   return spectral_radius(matrix, n);
 }
 
+/// R(w) of an implicit row on y' = lambda y, w = h lambda: 1 + w b^T k, (1 - w A) k = 1. (Hairer & Wanner, Solving
+/// ODEs II, eq. IV.3.2)
+Number stability_function(const Row& row, Number w) {
+  const int n = row.phases;
+  Number m[max_stages][max_stages + 1];
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) m[i][j] = (i == j ? 1.0 : 0.0) - w * static_cast<double>(row.a[i][j]);
+    m[i][n] = 1;
+  }
+  Number sum = 1;
+  for (int k = 0; k < n; ++k) {
+    for (int i = 0; i < n; ++i) {
+      const Number factor = i == k ? 0 : m[i][k] / m[k][k];
+      for (int j = k; j <= n; ++j) m[i][j] -= factor * m[k][j];
+    }
+  }
+  for (int i = 0; i < n; ++i) sum += w * static_cast<double>(row.b[i]) * (m[i][n] / m[i][i]);
+  return sum;
+}
+
+/// Largest |R| at the eigenvalues of the oscillator: lambda^2 + (c + i g) lambda + k = 0.
+double implicit_radius(const Row& row, double spring_h2, double damping_h, double gyration_h) {
+  const Number turn = {damping_h, gyration_h}, root = std::sqrt(turn * turn - 4 * spring_h2);
+  const Number ends[2] = {(-turn + root) / 2.0, (-turn - root) / 2.0};
+  if (spring_h2 == 0) return std::abs(stability_function(row, -turn));  // the other is a free position's
+  return std::max(std::abs(stability_function(row, ends[0])), std::abs(stability_function(row, ends[1])));
+}
+
 /// Rounding in Real, for radii near 1.
 constexpr double tolerance = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
 /// Largest |eigenvalue| of the step matrix in (x, v h): scaled so that entries are of one size.
 double spectral_radius(const Row& row, double spring_h2, double damping_h, double gyration_h) {
+  if (row.family == Family::implicit_runge_kutta) return implicit_radius(row, spring_h2, damping_h, gyration_h);
   const Method m = method_for(row, 1);
   const Oscillator oscillator(m, spring_h2, damping_h, gyration_h);
   const bool free = spring_h2 == 0;  // its position keeps an eigenvalue of 1
@@ -210,7 +239,7 @@ std::vector<IntegratorDescription> describe_integrators() {
     const double real = blind ? 0 : boundary([&](double t) { return spectral_radius(row, 0, t, 0); }, 1);
     const double imaginary = boundary([&](double t) { return spectral_radius(row, t * t, 0, 0); }, 1);
     all.push_back({row.name, row.doc, row.source, name(row.family), row.order, evaluations, row.embeds(), row.history,
-                   row.symplectic, row.turns_velocity, real, imaginary});
+                   row.symplectic, row.turns_velocity, real, imaginary, row.family == Family::implicit_runge_kutta});
   }
   return all;
 }

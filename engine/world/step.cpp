@@ -37,7 +37,8 @@ void World::run(std::uint64_t most_steps, double until) {
 /// How many of the next steps one kernel may take while the bodies are in registers: those of a world of one block in
 /// which nothing happens until then.
 int World::steps_at_once(std::uint64_t most) const {
-  if (!fused_ || impulse_ || profiling_ || row_->family == Family::multistep || whole_.blocks.size() != 1) return 1;
+  if (!fused_ || impulse_ || implicit_ || profiling_ || whole_.blocks.size() != 1) return 1;
+  if (row_->family == Family::multistep) return 1;
   constexpr std::uint64_t longest = 256;
   double free = static_cast<double>(std::min(most, longest));
   if (next_event_ < events_.size()) free = std::min(free, (events_[next_event_].at - time()) / step_ - on_the_step);
@@ -98,6 +99,7 @@ void World::advance(double from, double h) {
 }
 
 Moved World::smooth_motion(const Method& method, double from) {
+  if (implicit_) return implicit_step(method);
   counters_.force_evaluations += static_cast<std::uint64_t>(method.phases - method.first_known);
   return fused_ ? fused_pass(method, 1) : staged_step(method, from);
 }

@@ -16,6 +16,7 @@
 #include "engine/kernels/exponential_motion.h"
 #include "engine/store/columns.h"
 #include "engine/world/contact_step.h"
+#include "engine/world/implicit_step.h"
 #include "engine/world/inertia.h"
 #include "engine/world/interface.h"
 #include "engine/world/kernel_table.h"
@@ -135,6 +136,9 @@ class World : public WorldInterface {
   void advance(double from, double h);
   void take_effect(const Event& event);
   Moved smooth_motion(const Method& method, double from);
+  // implicit_step.cpp
+  Moved implicit_step(const Method& method);
+  void report_unconverged(const NewtonTally& tally);
   void contact_substeps(double from, double h);
   void watch_contact_stiffness();
   // stability.cpp
@@ -215,6 +219,7 @@ class World : public WorldInterface {
   std::unique_ptr<ContactStep> contacts_;  ///< none: bodies do not touch
   ImpulseStep* impulse_ = nullptr;         ///< contacts_, as what it is
   PenaltyStep* penalty_ = nullptr;
+  std::unique_ptr<ImplicitStep> implicit_;  ///< none: the method is explicit
   double step_ = 0, duration_ = 0;
   bool fused_ = true;
   std::string path_reason_;

@@ -45,13 +45,14 @@ struct IntegratorDescription {
   std::string source;
   std::string family;
   int order = 0;
-  int evaluations = 0;          ///< of all forces, per step
+  int evaluations = 0;          ///< of all forces, per step (implicit: per iteration of Newton's method)
   bool adaptive = false;        ///< has an embedded estimate of its error: takes run.tolerance in place of run.step
   int start_steps = 0;          ///< multistep: first steps, which rk4 takes
   bool symplectic = false;      ///< for forces that do not read velocity
   bool turns_velocity = false;  ///< takes forces that read velocity only to turn it, and keeps the speed in them
   double real_limit = 0;        ///< stability: h |lambda| for y' = lambda y, lambda < 0; 0: takes no such force
   double imaginary_limit = 0;   ///< stability: h omega for x'' = -omega^2 x; 0: always grows
+  bool implicit = false;        ///< solves for its stages, with the forces' derivatives by position and velocity
 };
 
 struct NamedDescription {

@@ -12,7 +12,7 @@ namespace ballpark {
 /// How a run stands: the gravest thing that went wrong, when it first did. The sentence names the lesser ones before
 /// it.
 struct Status {
-  enum class Code { ok, stability, accuracy, non_finite };
+  enum class Code { ok, stability, accuracy, unconverged, non_finite };
   Code code = Code::ok;
   std::string sentence = "ok";
   std::size_t body = 0;  ///< id of the first offender, where there is one
@@ -24,7 +24,7 @@ const char* name(Status::Code code);
 struct Counters {
   std::uint64_t steps = 0;
   std::uint64_t rejected_steps = 0;                 ///< tried with a tolerance, and taken back
-  std::uint64_t force_evaluations = 0;              ///< evaluations of all forces (not per body)
+  std::uint64_t force_evaluations = 0;              ///< of all forces (not per body; implicit: the most of any body)
   std::uint64_t pairs = 0;                          ///< candidates of the broad phase, over all steps
   std::uint64_t contacts = 0;                       ///< contacts that bore a load, over all substeps
   std::uint64_t peak_pairs = 0, peak_contacts = 0;  ///< the most at one time
@@ -40,6 +40,10 @@ struct Counters {
   /// penalty: stiffness and damping per mass of the contact network, bounds, the most of the run [1/s^2, 1/s]
   double contact_spring = 0, contact_damping = 0;
   double residual = 0;  ///< largest error in a normal speed that the last sweep of the run so far found [m/s]
+  /// implicit: iterations of Newton's method, over all bodies (sets of bodies that pull at each other); and the largest
+  /// last change of a state by it, relative to the state
+  std::uint64_t newton_iterations = 0;
+  double newton_residual = 0;
 };
 
 /// Sums over all bodies, in double whatever the world's precision.

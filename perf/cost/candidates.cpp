@@ -77,6 +77,15 @@ std::vector<std::pair<int, int>> contacts_of(const Scene& scene, const Axes& axe
 /// Impulse contacts are of first order whatever moves the bodies between them: a few integrators tell all.
 constexpr const char* enough_for_contacts[] = {"semi_implicit_euler", "velocity_verlet", "rk4", "euler"};
 
+/// For scenes whose stiffness limits the steps of explicit methods. (Others cost them several evaluations a step.)
+constexpr const char* for_stiffness[] = {"backward_euler", "implicit_midpoint"};
+
+/// Is a hundredth of its duration too long a step for rk4?
+bool is_stiff(const Scene& scene) {
+  const Scene coarse = scene_with(scene, {.integrator = "rk4", .step = scene.run.duration / 100});
+  return check(coarse).empty() && World(coarse).status().code == Status::Code::stability;
+}
+
 std::vector<std::string> ranked_integrators(const Scene& scene) {
   std::vector<std::string> names{scene.run.integrator};
   const auto add = [&](const std::string& name) {
@@ -85,6 +94,9 @@ std::vector<std::string> ranked_integrators(const Scene& scene) {
   if (scene.contact.kind == "impulse") {
     for (const char* name : enough_for_contacts) add(name);
     return names;
+  }
+  if (is_stiff(scene)) {
+    for (const char* name : for_stiffness) add(name);
   }
   for (const char* name : ranking) add(name);
   for (const IntegratorDescription& row : integrators()) add(row.name);

@@ -155,6 +155,7 @@ Json to_json(const IntegratorDescription& integrator) {
           {"order", integrator.order},
           {"evaluations", integrator.evaluations},
           {"symplectic", integrator.symplectic},
+          {"implicit", integrator.implicit},
           {"real_limit", integrator.real_limit},
           {"imaginary_limit", integrator.imaginary_limit},
           {"source", integrator.source}};

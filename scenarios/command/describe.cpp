@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ballpark/catalogue.h"
 #include "ballpark/scenes.h"
@@ -101,6 +102,7 @@ Description describe_effect(const EffectDescription& effect) {
 std::string cost_of(const IntegratorDescription& row) {
   const auto evaluations = static_cast<std::uint64_t>(row.evaluations);
   std::string cost = counted(evaluations, "evaluation", "evaluations") + " of all forces per step";
+  if (row.implicit) cost += " and iteration of Newton's method, with their derivatives; most steps take two or three";
   if (row.start_steps > 0)
     cost += fmt::format("; the first {} by rk4, 4 each, and again after an impulse", row.start_steps);
   return cost;
@@ -109,18 +111,21 @@ std::string cost_of(const IntegratorDescription& row) {
 Description describe_integrator(const IntegratorDescription& row) {
   Page text = titled(row.name, "an integrator", row.doc);
   text.heading("Properties");
-  text.fields({{"family", row.family},
-               {"order", std::to_string(row.order)},
-               {"cost", cost_of(row)},
-               {"step", row.adaptive ? "given, or chosen by a tolerance" : "given"},
-               {"symplectic", row.symplectic ? "yes, for forces that do not read velocity" : "no"},
-               {"stable, decay", row.real_limit == 0 ? "not for forces that read velocity: refused"
-                                                     : "step * |lambda| up to " + number(row.real_limit) +
-                                                           " for y' = lambda y, lambda < 0"},
-               {"stable, oscillation", row.imaginary_limit == 0 ? "never: an undamped oscillation always grows"
-                                                                : "step * omega up to " + number(row.imaginary_limit) +
-                                                                      " for x'' = -omega^2 x"},
-               {"source", row.source}});
+  text.fields(
+      {{"family", row.family},
+       {"order", std::to_string(row.order)},
+       {"cost", cost_of(row)},
+       {"step", row.adaptive ? "given, or chosen by a tolerance" : "given"},
+       {"symplectic", row.symplectic ? "yes, for forces that do not read velocity" : "no"},
+       {"stable, decay", std::isinf(row.real_limit) ? "at any step"
+                         : row.real_limit == 0
+                             ? "not for forces that read velocity: refused"
+                             : "step * |lambda| up to " + number(row.real_limit) + " for y' = lambda y, lambda < 0"},
+       {"stable, oscillation", std::isinf(row.imaginary_limit) ? "at any step"
+                               : row.imaginary_limit == 0
+                                   ? "never: an undamped oscillation always grows"
+                                   : "step * omega up to " + number(row.imaginary_limit) + " for x'' = -omega^2 x"},
+       {"source", row.source}});
   text.heading("In a scene file");
   add_lines(text, fmt::format("[run]\nintegrator = \"{}\"\n", row.name));
   Json json = to_json(row);

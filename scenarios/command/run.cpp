@@ -103,6 +103,15 @@ void add_contact_facts(std::vector<std::pair<std::string, Cell>>& facts, const R
   facts.insert(facts.end() - 2, fields.begin(), fields.end());  // before the hash
 }
 
+/// How an implicit method solved its stages.
+void add_newton_facts(std::vector<std::pair<std::string, Cell>>& facts, const RunReport& report) {
+  if (report.path != "implicit") return;
+  const std::string text =
+      fmt::format("{} iterations, the last change at most {} of a body's state",
+                  grouped(report.counters.newton_iterations), number(report.counters.newton_residual, 3));
+  facts.insert(facts.begin() + 4, {"Newton's method", text});  // behind the force evaluations
+}
+
 std::string steps_text(const RunReport& report) {
   const std::string steps = grouped(report.counters.steps);
   if (report.tolerance == 0) return fmt::format("{} of {} s ({})", steps, number(report.step), report.integrator);
@@ -127,6 +136,7 @@ void add_facts(Page& text, const RunReport& report, const Scene& scene) {
       {"angular momentum drift", number(report.angular_momentum_drift, 3) + " (relative)"},
       {"state hash", report.state_hash},
       {"expectations", expectation_summary(report.verdicts)}};
+  add_newton_facts(facts, report);
   add_contact_facts(facts, report);
   for (auto& field : status_fields(report, scene)) facts.push_back(std::move(field));
   text.fields(std::move(facts));

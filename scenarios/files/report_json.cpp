@@ -41,6 +41,7 @@ Json verdicts_of(const RunReport& report) {
 }  // namespace
 
 Json json_of(const RunReport& report) {
+  const bool implicit = report.path == "implicit";
   return {{"format", "ballpark-run-1"},
           {"scenario", report.scenario},
           {"status", json_of(report.status)},
@@ -65,6 +66,8 @@ Json json_of(const RunReport& report) {
             {"missed", report.counters.missed},
             {"neighbour_lists", report.counters.neighbour_lists},
             {"largest_step", report.largest_step}}},
+          {"newton_iterations", implicit ? Json(report.counters.newton_iterations) : Json(nullptr)},
+          {"newton_residual", implicit ? Json(report.counters.newton_residual) : Json(nullptr)},
           {"contact", report.contact.empty() ? Json(nullptr) : Json(report.contact)},
           {"integrator", report.integrator},
           {"step", report.tolerance > 0 ? Json(nullptr) : Json(report.step)},

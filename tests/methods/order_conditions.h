@@ -60,7 +60,7 @@ int order_met(const A& a, const long double* b, int stages, int most, long doubl
     long double sum = 0;
     for (std::size_t i = 0; i < size; ++i) {
       sum += b[i] * phi[i];
-      for (std::size_t j = 0; j < i; ++j) row[i] += a[i][j] * phi[j];
+      for (std::size_t j = 0; j < size; ++j) row[i] += a[i][j] * phi[j];
     }
     inner.push_back(row);
     if (std::abs(sum - 1 / tree.density) > precision) met = std::min(met, tree.vertices - 1);
@@ -68,14 +68,25 @@ int order_met(const A& a, const long double* b, int stages, int most, long doubl
   return met;
 }
 
-/// R(w) of a Runge-Kutta row on y' = lambda y, w = h lambda, stage by stage. (HNW II, IV.2)
+/// R(w) of a Runge-Kutta row on y' = lambda y, w = h lambda: 1 + b^T k, (1 - w A) k = w 1. (HNW II, IV.2 and IV.3)
 inline std::complex<long double> stability_function(const f64::Row& row, std::complex<long double> w) {
-  std::complex<long double> k[f64::max_phases], next = 1;
-  for (int i = 0; i < row.phases; ++i) {
-    std::complex<long double> y = 1;
-    for (int j = 0; j < i; ++j) y += row.a[i][j] * k[j];
-    k[i] = w * y;
-    next += row.b[i] * k[i];
+  const auto n = static_cast<std::size_t>(row.phases);
+  using Complex = std::complex<long double>;
+  std::vector<std::vector<Complex>> m(n, std::vector<Complex>(n + 1, w));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) m[i][j] = (i == j ? 1.0L : 0.0L) - w * row.a[i][j];
+  }
+  for (std::size_t i = 0; i < n; ++i) {  // explicit rows are triangular already
+    for (std::size_t j = 0; j < i; ++j) {
+      const Complex factor = m[i][j] / m[j][j];
+      for (std::size_t k = j; k <= n; ++k) m[i][k] -= factor * m[j][k];
+    }
+  }
+  Complex next = 1;
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t j = i + 1; j < n; ++j) m[i][n] -= m[i][j] * m[j][n];
+    m[i][n] /= m[i][i];
+    next += row.b[i] * m[i][n];
   }
   return next;
 }

@@ -105,7 +105,7 @@ TEST_CASE("there are as many rooted trees as counted", "[methods]") {
 
 TEST_CASE("Runge-Kutta rows satisfy the order conditions up to their order, and no more", "[methods]") {
   for (const f64::Row& row : f64::rows()) {
-    if (row.family != f64::Family::explicit_runge_kutta) continue;
+    if (row.family != f64::Family::explicit_runge_kutta && row.family != f64::Family::implicit_runge_kutta) continue;
     CAPTURE(row.name);
     CHECK(order_met(row.a, row.b, row.phases, row.order + 1, printed) == row.order);
   }
@@ -202,6 +202,8 @@ TEST_CASE("the catalogue tells of every row once, with its order and evaluations
     REQUIRE(row != nullptr);
     CHECK(told.order == row->order);
     CHECK(names.insert(told.name).second);
+    CHECK(told.implicit == (row->family == f64::Family::implicit_runge_kutta));
+    if (told.implicit) continue;  // as many as its iterations take
     World world(scene(particle({1, 0, 0}), {spring(1)}, 1, 0.1, told.name));
     world.step(7);
     const int first = told.start_steps * (4 - told.evaluations);  // by rk4
@@ -231,7 +233,10 @@ TEST_CASE("the catalogue tells of every row once, with its order and evaluations
                                        "forest_ruth",
                                        "yoshida4",
                                        "pefrl",
-                                       "yoshida6"});
+                                       "yoshida6",
+                                       "backward_euler",
+                                       "implicit_midpoint",
+                                       "gauss4"});
 }
 
 TEST_CASE("stability limits are those of the methods' polynomials", "[methods]") {
@@ -269,6 +274,7 @@ TEST_CASE("stability limits are those of the methods' polynomials", "[methods]")
       {"pefrl", {0, swing_limit("pefrl")}},
       {"yoshida6", {0, swing_limit("yoshida6")}}};
   for (const IntegratorDescription& row : integrators()) {
+    if (row.implicit) continue;
     INFO(row.name << ": " << row.real_limit << ", " << row.imaginary_limit);
     REQUIRE(limits.count(row.name) == 1);
     CHECK(std::abs(row.real_limit - limits.at(row.name).real) < 1e-6);
@@ -279,6 +285,7 @@ TEST_CASE("stability limits are those of the methods' polynomials", "[methods]")
 
 TEST_CASE("runs stay bounded inside the limits told and grow outside, and what is outside is reported", "[methods]") {
   for (const IntegratorDescription& row : integrators()) {
+    if (row.implicit) continue;
     const double margin = row.start_steps > 0 ? 0.02 : 0.001;  // what grows outside is a small part of the start
     for (const double fraction : {1 - margin, 1 + margin}) {
       const bool inside = fraction < 1;
@@ -301,6 +308,26 @@ TEST_CASE("runs stay bounded inside the limits told and grow outside, and what i
       CHECK(grew != inside);
     }
   }
+}
+
+TEST_CASE("implicit rows have no limit, Gauss's keep an oscillation's size, and backward Euler damps what is stiff",
+          "[methods]") {
+  std::size_t rows = 0;
+  for (const IntegratorDescription& row : integrators()) {
+    if (!row.implicit) continue;
+    ++rows;
+    INFO(row.name);
+    CHECK(std::isinf(row.real_limit));
+    CHECK(std::isinf(row.imaginary_limit));
+    const f64::Row& tableau = *f64::find_row(row.name);
+    for (const long double z : {0.1L, 1.0L, 30.0L, 1e4L}) {
+      CHECK(std::abs(stability_function(tableau, -z)) < 1);
+      const long double size = std::abs(stability_function(tableau, {0, z}));
+      CHECK(std::abs(size - (row.symplectic ? 1 : 1 / std::sqrt(1 + z * z))) < 1e-15L);
+    }
+    CHECK((std::abs(stability_function(tableau, -1e12L)) < 1e-11L) == (row.name == "backward_euler"));
+  }
+  CHECK(rows == 3);
 }
 
 TEST_CASE("an oscillation that no step keeps stable is reported when it grows by a tenth", "[methods]") {

@@ -35,10 +35,11 @@ TEST_CASE("P-O2: a step beyond the limit is reported, and blows up", "[physics]"
   }
 }
 
-TEST_CASE("P-O2: every row reports the step of 0.05 s", "[physics]") {
+TEST_CASE("P-O2: every explicit row reports the step of 0.05 s", "[physics]") {
   for (const IntegratorDescription& row : integrators_for(stiff("rk4", 0.05))) {
     const std::string& name = row.name;
     INFO(name);
+    if (row.implicit) continue;
     CHECK(World(stiff(name, 0.05)).status().code == Status::Code::stability);
   }
 }

@@ -12,6 +12,7 @@ using namespace ballpark::BALLPARK_PRECISION;
 TEST_CASE("Rows: a stage reads only those before it", "[integrators]") {
   for (const Row& row : rows()) {
     CAPTURE(row.name);
+    if (row.family == Family::implicit_runge_kutta) continue;
     for (int i = 0; i < max_phases; ++i) {
       for (int j = i; j < max_phases; ++j) CHECK(row.a[i][j] == 0);
     }

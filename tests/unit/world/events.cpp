@@ -52,6 +52,7 @@ TEST_CASE("Events: an impulse within a step acts at its very time", "[events]") 
     CHECK(close(world.body(0).position.x(), 0.5 * 5.75 * h, 1e-15));
     CHECK(world.time() == 16 * h);
     CHECK(world.steps() == 16);
+    if (integrator.implicit) continue;  // iterates
     // Ten steps, one in two parts, five steps; multistep methods begin twice by rk4, which also takes the parts.
     const int evaluations = integrator.evaluations, begin = integrator.start_steps;
     const int parts = begin > 0 ? 2 * 4 : 2 * evaluations;

@@ -253,17 +253,20 @@ struct Splitting {
   }
 
   /// v' = W x v by Cayley's transform, which keeps |v|: v + 2 / (1 + t^2) t x (v + t x v), t = h W / 2. (Boris 1970;
-  /// Birdsall & Langdon, Plasma Physics via Computer Simulation, 4-4.)
+  /// Birdsall & Langdon, Plasma Physics via Computer Simulation, 4-4.) Rounding of t would change |v| by the same in
+  /// every step: what it did is taken back.
   template <class S, class Constants, class Forces>
   BALLPARK_INLINE static void turn_velocity(Real step, const Constants& c, const Forces& forces, S& state) {
     using M = typename S::Motion;
     using V = typename S::Value;
     if constexpr (M::position_end > 0) {  // a pivot ties velocities
-      const V one = V(Real(1));
+      const V one = V(Real(1)), zero = V(Real(0));
       const Vector3<V> v = vector_from(state.y + M::position_end);
       const Vector3<V> t = V(Real(0.5) * step) * forces.turning(M::body(c, state.y));
+      const Vector3<V> turn = ((one + one) / (one + dot(t, t))) * cross(t, v + cross(t, v)), turned = v + turn;
+      const V twice = (one + one) * dot(turned, turned), gain = dot(turn, v + turned);
       V change[S::size];
-      put(change + M::position_end, ((one + one) / (one + dot(t, t))) * cross(t, v + cross(t, v)));
+      put(change + M::position_end, turn - select(twice > zero, gain / twice, zero) * turned);
       state.add(M::position_end, M::position_end + 3, change);
     }
   }

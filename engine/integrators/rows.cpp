@@ -37,6 +37,20 @@ const char* name(Family family) {
   return "";
 }
 
+const char* name(RotationRule rule) {
+  switch (rule) {
+    case RotationRule::renormalise:
+      return "renormalise";
+    case RotationRule::exponential:
+      return "exponential";
+    case RotationRule::splitting:
+      return "splitting";
+    case RotationRule::body:
+      return "body";
+  }
+  return "";
+}
+
 namespace {
 
 /// Is a its subdiagonal, without zeros?

@@ -42,6 +42,7 @@ const std::vector<Row>& rows();
 /// nullptr if there is none of that name.
 const Row* find_row(std::string_view name);
 const char* name(Family family);
+const char* name(RotationRule rule);
 
 // Each family's, in the order of the catalogue.
 std::vector<Row> runge_kutta_rows();

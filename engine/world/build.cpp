@@ -43,11 +43,11 @@ const Effect* pair_effect_of(const Scene& scene) {
   return nullptr;
 }
 
-RotationRule rotation_rule(const std::string& name) {
-  return name == "exponential" ? RotationRule::exponential
-         : name == "splitting" ? RotationRule::splitting
-         : name == "body"      ? RotationRule::body
-                               : RotationRule::renormalise;
+RotationRule rotation_rule(const std::string& word) {
+  for (const auto rule : {RotationRule::exponential, RotationRule::splitting, RotationRule::body}) {
+    if (word == name(rule)) return rule;
+  }
+  return RotationRule::renormalise;
 }
 
 bool is_kicked_off_centre(const Scene& scene, std::size_t first_id, std::size_t count) {

@@ -270,6 +270,8 @@ Explanation World::explain() const {
                   : precision() == Precision::double_ ? "double"
                                                       : "extended";
   all.target = target();
+  const auto has_rule = [](const Group& group) { return group.motion != MotionKind::point && group.turns(); };
+  if (std::any_of(groups_.begin(), groups_.end(), has_rule)) all.rotation = name(rotation_);
   all.threads = threads();
   all.block_length = block_length;
   all.narrowed = narrowed_;

@@ -109,6 +109,7 @@ struct Explanation {
   std::string path;  ///< "fused" or "staged"
   std::string path_reason;
   std::string integrator, precision, target;
+  std::string rotation;  ///< how orientations follow from spins; "" if none changes
   int threads = 1;
   std::size_t block_length = 0;  ///< bodies per task
   std::vector<GroupReport> groups;

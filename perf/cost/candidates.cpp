@@ -54,6 +54,7 @@ std::string label_of(const Setting& setting, bool adaptive, bool pair) {
   if (pair) label += adaptive ? ", adaptive" : ", fixed step";
   if (setting.precision == Precision::single_) label += ", single";
   if (setting.precision == Precision::extended) label += ", extended";
+  if (!setting.rotation.empty() && setting.rotation != usual_rotation) label += ", " + setting.rotation;
   if (setting.iterations > 0) label += fmt::format(", {} x {}", setting.iterations, setting.substeps);
   return label;
 }
@@ -73,6 +74,21 @@ std::vector<std::pair<int, int>> contacts_of(const Scene& scene, const Axes& axe
   const int n = scene.contact.iterations, s = scene.contact.substeps;
   return {{n, s}, {std::max(1, n / 3), s}, {3 * n, s}, {n, 2 * s}, {n, 4 * s}};
 }
+
+/// How bodies turn: as the scene has it, then all other ways.
+std::vector<std::string> rotations_of(const Scene& scene, const Axes& axes) {
+  if (!turns(scene)) return {""};
+  if (!axes.rotations.empty()) return axes.rotations;
+  std::vector<std::string> names{scene.run.rotation};
+  for (const NamedDescription& rule : rotations()) {
+    if (rule.name != scene.run.rotation) names.push_back(rule.name);
+  }
+  return names;
+}
+
+/// A few integrators tell what another way to turn gives; not every one takes it.
+constexpr const char* enough_to_turn[] = {"rk4",   "velocity_verlet", "dormand_prince8", "dormand_prince5",
+                                          "euler", "pefrl",           "yoshida6"};
 
 /// Impulse contacts are of first order whatever moves the bodies between them: a few integrators tell all.
 constexpr const char* enough_for_contacts[] = {"semi_implicit_euler", "velocity_verlet", "rk4", "euler"};
@@ -112,6 +128,7 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
   const auto precisions =
       axes.precisions.empty() ? std::vector{Precision::double_, Precision::single_} : axes.precisions;
   const auto contacts = contacts_of(scene, axes);
+  const auto turnings = rotations_of(scene, axes);
   std::map<std::string, std::string> reasons;  // and whom they refuse
   const auto add = [&](Setting setting, bool adaptive) {
     const IntegratorDescription& row = description(setting.integrator);
@@ -130,19 +147,28 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
     if (!candidate.settings.empty()) return list.push_back(std::move(candidate));
     const std::string why = problems.front().message;
     if (setting.precision != precisions.front() || setting.iterations != contacts.front().first) return;
-    if (setting.substeps != contacts.front().second) return;
+    if (setting.substeps != contacts.front().second || setting.rotation != turnings.front()) return;
     std::string& names_so_far = reasons[why.starts_with(row.name) ? why.substr(row.name.size() + 1) : why];
     names_so_far += (names_so_far.empty() ? "" : ", ") + candidate.curve.label;
   };
+  const auto add_paces = [&](const Setting& setting) {
+    if (axes.tolerances.empty() || !axes.steps.empty()) add(setting, false);
+    const bool adaptive = description(setting.integrator).adaptive;
+    if (adaptive && (axes.steps.empty() || !axes.tolerances.empty())) add(setting, true);
+  };
+  const std::vector<std::string> some(std::begin(enough_to_turn), std::end(enough_to_turn));
   for (const Precision precision : precisions) {
     const bool chosen = !axes.integrators.empty() || !axes.precisions.empty() || precision == Precision::double_;
     for (const auto& [iterations, substeps] : contacts) {
       for (std::size_t i = 0; i < (chosen ? names.size() : std::min(names.size(), enough_in_single)); ++i) {
         const std::string& name = names[i];
-        const Setting setting{name, 0, 0, precision, iterations, substeps};
-        if (axes.tolerances.empty() || !axes.steps.empty()) add(setting, false);
-        if (description(name).adaptive && (axes.steps.empty() || !axes.tolerances.empty())) add(setting, true);
+        add_paces({name, 0, 0, precision, iterations, substeps, turnings.front()});
       }
+    }
+    for (std::size_t r = 1; r < turnings.size() && chosen; ++r) {
+      const auto& few = axes.integrators.empty() ? some : names;
+      const auto [iterations, substeps] = contacts.front();
+      for (const std::string& name : few) add_paces({name, 0, 0, precision, iterations, substeps, turnings[r]});
     }
   }
   for (const auto& [why, whom] : reasons) refused.push_back(whom + ": " + why);
@@ -151,6 +177,9 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
   }
   if (axes.integrators.empty() && axes.precisions.empty() && names.size() > enough_in_single) {
     refused.push_back("single precision of more than six integrators (--precisions single,double)");
+  }
+  if (axes.integrators.empty() && axes.rotations.empty() && turnings.size() > 1) {
+    refused.push_back("rotation other than by " + turnings.front() + ", of more than seven integrators (--rotations)");
   }
   return list;
 }

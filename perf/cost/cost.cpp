@@ -60,10 +60,7 @@ class Study {
     if (setting.tolerance == 0 && (steps == 0 || steps % ground_.samples.times.size() != 0)) return;
     for (Candidate& candidate : list) {
       const Setting& first = candidate.settings.front();
-      const bool alike = first.integrator == setting.integrator && first.precision == setting.precision &&
-                         (first.tolerance > 0) == (setting.tolerance > 0) && first.iterations == setting.iterations &&
-                         first.substeps == setting.substeps;
-      if (!alike) continue;
+      if (!same_curve(first, setting)) continue;
       const auto finer = [](const Setting& a, const Setting& b) {
         return a.step != b.step ? a.step > b.step : a.tolerance > b.tolerance;
       };

@@ -86,6 +86,7 @@ std::optional<OrderStudy> observed_orders(const Scene& scene, const Request& req
   if (axes.integrators.empty()) {
     for (const IntegratorDescription& row : integrators()) axes.integrators.push_back(row.name);
   }
+  if (axes.rotations.empty()) axes.rotations = {ground->scene.run.rotation};
   if (ground->scene.contact.kind == "impulse") {
     axes.contacts = {{ground->scene.contact.iterations, ground->scene.contact.substeps}};
   }

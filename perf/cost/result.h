@@ -11,6 +11,9 @@
 
 namespace ballpark::cost {
 
+/// Not named where a setting is told.
+inline constexpr const char* usual_rotation = "renormalise";
+
 /// One way to run a scene.
 struct Setting {
   std::string integrator;
@@ -18,7 +21,12 @@ struct Setting {
   double tolerance = 0;  ///< 0: the step is given
   Precision precision = Precision::double_;
   int iterations = 0, substeps = 0;  ///< of impulse contacts; 0 where there are none
+  std::string rotation = {};         ///< how bodies turn; "" where none does
+
+  bool operator==(const Setting&) const = default;
 };
+/// Do they differ by their step or tolerance alone?
+bool same_curve(const Setting& a, const Setting& b);
 
 /// What is held against the reference: positions [m], velocities [m/s], orientations as angles [rad], spins [rad/s].
 enum class Quantity { position, velocity, orientation, spin };

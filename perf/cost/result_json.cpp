@@ -29,6 +29,7 @@ void add_setting(Json& json, const Setting& setting) {
   json["precision"] = word(setting.precision);
   json["contact"] = nullptr;
   if (setting.iterations > 0) json["contact"] = {{"iterations", setting.iterations}, {"substeps", setting.substeps}};
+  json["rotation"] = text_or_null(setting.rotation);
 }
 
 Json by_quantity(const std::array<double, quantity_count>& values) {
@@ -157,7 +158,8 @@ Json to_json(const Result& result) {
 
 std::string to_csv(const Result& result) {
   std::string csv =
-      "integrator,step,tolerance,precision,iterations,substeps,error,claimed,pareto,seconds_min,seconds_median,"
+      "integrator,step,tolerance,precision,iterations,substeps,rotation,error,claimed,pareto,seconds_min,seconds_"
+      "median,"
       "seconds_max,runs,steps,rejected_steps,force_evaluations";
   for (std::size_t q = 0; q < quantity_count; ++q) {
     const char* quantity = name(static_cast<Quantity>(q));
@@ -166,10 +168,10 @@ std::string to_csv(const Result& result) {
   csv += ",energy,momentum,angular_momentum,quaternion_norm,penetration,state_hash,trouble\n";
   for (const Point& p : result.points) {
     const Setting& s = p.setting;
-    csv += fmt::format("{},{:.17g},{:.17g},{},{},{},{:.17g},{:d},{:d},{:.9g},{:.9g},{:.9g},{},{},{},{}", s.integrator,
-                       s.step, s.tolerance, word(s.precision), s.iterations, s.substeps, p.error, p.claimed, p.front,
-                       p.seconds.minimum, p.seconds.median, p.seconds.maximum, p.seconds.runs, p.steps,
-                       p.rejected_steps, p.force_evaluations);
+    csv += fmt::format("{},{:.17g},{:.17g},{},{},{},{},{:.17g},{:d},{:d},{:.9g},{:.9g},{:.9g},{},{},{},{}",
+                       s.integrator, s.step, s.tolerance, word(s.precision), s.iterations, s.substeps, s.rotation,
+                       p.error, p.claimed, p.front, p.seconds.minimum, p.seconds.median, p.seconds.maximum,
+                       p.seconds.runs, p.steps, p.rejected_steps, p.force_evaluations);
     for (const Distance& d : p.errors.of) csv += fmt::format(",{:.17g},{:.17g},{:.17g}", d.end, d.maximum, d.rms);
     const Errors& e = p.errors;
     csv += fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{}\n", e.energy, e.momentum, e.angular_momentum,

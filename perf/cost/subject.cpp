@@ -27,6 +27,7 @@ Scene scene_with(const Scene& scene, const Setting& setting) {
   changed.run.tolerance = setting.tolerance;
   if (setting.tolerance == 0) changed.run.absolute_tolerance = 0;
   changed.run.precision = setting.precision;
+  if (!setting.rotation.empty()) changed.run.rotation = setting.rotation;
   if (setting.substeps > 0) changed.contact.substeps = setting.substeps;
   if (setting.iterations > 0) changed.contact.iterations = setting.iterations;
   return changed;
@@ -38,7 +39,24 @@ Setting setting_of(const Scene& scene) {
     own.iterations = scene.contact.iterations;
     own.substeps = scene.contact.substeps;
   }
+  if (turns(scene)) own.rotation = scene.run.rotation;
   return own;
+}
+
+bool turns(const Scene& scene) {
+  const auto has_axes = [](const Vector3d& i) { return i.x() != i.y() || i.y() != i.z(); };
+  return std::any_of(scene.effects.begin(), scene.effects.end(), [](const Effect& e) { return e.kind == "pivot"; }) ||
+         std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyGroup& group) {
+           return !group.orientation.empty() || (group.generate && group.generate->random_orientation) ||
+                  std::any_of(group.inertia.begin(), group.inertia.end(), has_axes);
+         });
+}
+
+bool same_curve(const Setting& a, const Setting& b) {
+  Setting paced = b;
+  paced.step = a.step;
+  paced.tolerance = a.tolerance;
+  return a == paced && (a.tolerance > 0) == (b.tolerance > 0);
 }
 
 std::string text(const Setting& setting) {
@@ -47,6 +65,7 @@ std::string text(const Setting& setting) {
                                  : fmt::format(", step {:.6g} s", setting.step);
   if (setting.precision == Precision::single_) words += ", single";
   if (setting.precision == Precision::extended) words += ", extended";
+  if (!setting.rotation.empty() && setting.rotation != usual_rotation) words += ", rotation by " + setting.rotation;
   if (setting.iterations > 0) words += fmt::format(", {} iterations x {}", setting.iterations, setting.substeps);
   return words;
 }

@@ -15,6 +15,8 @@ namespace ballpark::cost {
 Scene scene_with(const Scene& scene, const Setting& setting);
 /// The scene's own.
 Setting setting_of(const Scene& scene);
+/// May bodies of it have orientations that change?
+bool turns(const Scene& scene);
 /// "rk4, step 0.001 s", "dormand_prince5, tolerance 1e-08, single"
 std::string text(const Setting& setting);
 /// "49.4 us"

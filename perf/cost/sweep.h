@@ -16,6 +16,7 @@ struct Axes {
   std::vector<double> steps, tolerances;  ///< [s]; either: no other pace
   std::vector<Precision> precisions;
   std::vector<std::pair<int, int>> contacts;  ///< iterations and substeps of impulse contacts
+  std::vector<std::string> rotations;         ///< of scenes in which bodies turn
 };
 
 /// A curve to be tried: its settings from coarse to fine.

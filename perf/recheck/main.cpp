@@ -44,7 +44,8 @@ class Rerun {
   std::string text() const {
     const std::string pace = scene_.run.step > 0 ? fmt::format("step {:g} s", scene_.run.step)
                                                  : fmt::format("tolerance {:g}", scene_.run.tolerance);
-    return fmt::format("{}, {}, {}", scene_.run.integrator, pace, point_["precision"].get<std::string>());
+    return fmt::format("{}, {}, {}, {}", scene_.run.integrator, pace, point_["precision"].get<std::string>(),
+                       scene_.run.rotation);
   }
   double error() const { return point_["error"]["value"]; }
 
@@ -54,6 +55,7 @@ class Rerun {
     scene.run.step = point["step"].is_null() ? 0 : point["step"].get<double>();
     scene.run.tolerance = point["tolerance"].is_null() ? 0 : point["tolerance"].get<double>();
     scene.run.precision = point["precision"] == "single" ? ballpark::Precision::single_ : ballpark::Precision::double_;
+    if (!point["rotation"].is_null()) scene.run.rotation = point["rotation"];
     return scene;
   }
 

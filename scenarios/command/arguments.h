@@ -14,7 +14,8 @@ struct Arguments {
   std::optional<std::string> threads, precision, target, copies, perturb, path;
   std::optional<std::string> state, every, out;
   std::optional<std::string> steps, seconds;
-  std::optional<std::string> integrators, axis_steps, tolerances, precisions, axis_contacts;  ///< axes of `cost`
+  std::optional<std::string> integrators, axis_steps, tolerances, precisions, axis_contacts,
+      rotations;  ///< axes of `cost`
   std::optional<std::string> error, reference, tolerance, budget, csv, svg, html;
   bool write = false;
   std::optional<std::string> json;  ///< a file; "": standard output

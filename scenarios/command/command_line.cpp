@@ -47,6 +47,8 @@ constexpr Option cost_options[] = {
     {"--steps", "LIST", "only these fixed steps [s], for example 1e-2,1e-3", &Arguments::axis_steps},
     {"--tolerances", "LIST", "only these tolerances of adaptive integrators", &Arguments::tolerances},
     {"--precisions", "LIST", "of single, double, extended (default: single,double)", &Arguments::precisions},
+    {"--rotations", "LIST", "of renormalise, exponential, splitting, body, where bodies turn (default: all)",
+     &Arguments::rotations},
     {"--contacts", "LIST", "iterations x substeps of impulse contacts, for example 12x1,12x4",
      &Arguments::axis_contacts},
     {"--error", "E",

@@ -91,6 +91,12 @@ cost::Axes axes_of(const Arguments& arguments, const Scene& scene) {
   } else if (arguments.precision) {
     throw UsageError("--precision: cost compares precisions; expected --precisions, for example --precisions double");
   }
+  if (arguments.rotations) {
+    if (!cost::turns(scene)) throw UsageError("--rotations: no body of this scene has an orientation that changes");
+    std::vector<std::string> names;
+    for (const NamedDescription& rule : rotations()) names.push_back(rule.name);
+    axes.rotations = words_of("--rotations", *arguments.rotations, "rotation", names);
+  }
   if (arguments.axis_contacts) {
     if (scene.contact.kind != "impulse") throw UsageError("--contacts: this scene has no impulse contacts");
     axes.contacts = contacts_of(*arguments.axis_contacts);

@@ -90,7 +90,8 @@ inline constexpr const char* cost =
     "\n"
     "Runs the scene by every integrator that it takes, from coarse steps to fine ones\n"
     "(tolerances likewise), six of them in single precision too, with more and fewer\n"
-    "iterations and substeps of impulse contacts. Each run's error is held against a\n"
+    "iterations and substeps of impulse contacts, and with other rotation updates\n"
+    "where bodies turn. Each run's error is held against a\n"
     "closed form if every body has one; else against extrapolation in extended\n"
     "precision at two tolerances; else against the finest of two runs. No error below\n"
     "ten times the reference's own is claimed. Whole runs are timed in turns, from\n"
@@ -99,7 +100,7 @@ inline constexpr const char* cost =
     "\n"
     "--tolerance: with a margin of 2, and proved by a fresh run; exit code 1 if\n"
     "nothing that was tried is accurate enough. --write changes integrator, step or\n"
-    "tolerances, precision and contact settings in the scene file, and nothing else.\n"
+    "tolerances, precision, rotation and contacts in the scene file, and nothing else.\n"
     "Where runs that start almost alike part (chaos), only the time before that is\n"
     "compared, and said; statistics beyond it are not taken yet.\n";
 

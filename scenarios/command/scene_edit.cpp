@@ -98,11 +98,6 @@ void put(SceneText& text, const std::string& table, const std::string& neighbour
   text.has(table, key) ? text.replace(table, key, key, value) : text.add(table, neighbour, key, value);
 }
 
-bool same(const cost::Setting& a, const cost::Setting& b) {
-  return a.integrator == b.integrator && a.step == b.step && a.tolerance == b.tolerance && a.precision == b.precision &&
-         a.iterations == b.iterations && a.substeps == b.substeps;
-}
-
 }  // namespace
 
 std::string with_setting(const std::string& text, const scenes::SceneFile& file, const cost::Setting& setting) {
@@ -120,6 +115,9 @@ std::string with_setting(const std::string& text, const scenes::SceneFile& file,
   if (setting.precision != file.scene.run.precision) {
     put(edited, "run", "duration", "precision", setting.precision == Precision::single_ ? "\"single\"" : "\"double\"");
   }
+  if (!setting.rotation.empty() && setting.rotation != file.scene.run.rotation) {
+    put(edited, "run", "duration", "rotation", '"' + setting.rotation + '"');
+  }
   if (setting.iterations > 0) {
     if (setting.iterations != file.scene.contact.iterations) {
       put(edited, "contact", "kind", "iterations", fmt::format("{}", setting.iterations));
@@ -130,7 +128,7 @@ std::string with_setting(const std::string& text, const scenes::SceneFile& file,
   }
   std::string changed = edited.text();
   try {
-    if (same(cost::setting_of(scenes::parse(changed, file.path).scene), setting)) return changed;
+    if (cost::setting_of(scenes::parse(changed, file.path).scene) == setting) return changed;
   } catch (const scenes::SceneFileError&) {  // said below
   }
   throw UsageError(fmt::format("--write: {} would not load as meant; nothing was written", file.path));

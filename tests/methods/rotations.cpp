@@ -91,7 +91,7 @@ TEST_CASE("P-R1b: the angle of a free body converges at the order of each rotati
                                          {"splitting", "semi_implicit_euler", 2, 1000},
                                          {"splitting", "velocity_verlet", 2, 1000},
                                          {"splitting", "yoshida4", 4, 500},
-                                         {"splitting", "pefrl", 4, 500}}) {
+                                         {"splitting", "pefrl", 4, 100}}) {
     has_slope(c, refine(by(tumbling(), c.rule, c.integrator), c.steps, tumbling_error));
   }
 }
@@ -127,7 +127,7 @@ TEST_CASE("splittings of higher order are so on bodies that turn, by exact or co
                                          {"splitting", "forest_ruth", 4, 2000},
                                          {"splitting", "yoshida4", 4, 2000},
                                          {"splitting", "pefrl", 4, 1000},
-                                         {"splitting", "yoshida6", 6, 1000}}) {
+                                         {"splitting", "yoshida6", 6, 200}}) {
     rod.run.precision = Precision::extended;
     has_slope(c, refine(by(rod, c.rule, c.integrator), c.steps, error));
   }

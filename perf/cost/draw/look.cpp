@@ -65,8 +65,7 @@ double cost_of(const Point& point) {
 
 bool equal(const Setting& a, const Setting& b) {
   const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::max(std::abs(x), std::abs(y)); };
-  return a.integrator == b.integrator && close(a.step, b.step) && close(a.tolerance, b.tolerance) &&
-         a.precision == b.precision && a.iterations == b.iterations && a.substeps == b.substeps;
+  return same_curve(a, b) && close(a.step, b.step) && close(a.tolerance, b.tolerance);
 }
 
 std::vector<Look> looks(const Result& result) {
@@ -125,6 +124,7 @@ std::string setting_text(const Setting& s) {
   if (s.step > 0) text += ", step " + number(s.step) + " s";
   if (s.tolerance > 0) text += ", tolerance " + number(s.tolerance);
   if (s.precision != Precision::double_) text += s.precision == Precision::single_ ? ", single" : ", extended";
+  if (!s.rotation.empty() && s.rotation != usual_rotation) text += ", " + s.rotation;
   if (s.iterations > 0) text += fmt::format(", {} iterations", s.iterations);
   if (s.substeps > 1) text += fmt::format(", {} substeps", s.substeps);
   return text;

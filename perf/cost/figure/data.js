@@ -112,6 +112,7 @@ export function settingText(p) {
   if (p.step) words.push(`step ${number(p.step)} s`);
   if (p.tolerance) words.push(`tolerance ${number(p.tolerance)}`);
   if (p.precision !== "double") words.push(p.precision);
+  if (p.rotation && p.rotation !== "renormalise") words.push(p.rotation);
   return words.join(", ");
 }
 

@@ -33,7 +33,8 @@ double automatic_step(const Scene& scene) {
   const StepLimitReport least = tightest(World(any_step, {.threads = 1}).explain());
   if (std::isinf(least.largest)) {
     throw SceneError("run.step",
-                     "\"auto\" finds nothing that limits a step (no spring, damper or penalty contact); "
+                     "\"auto\" finds nothing that limits a step (no spring, damper or penalty contact, or an implicit "
+                     "integrator); "
                      "expected a number > 0 [s]");
   }
   if (!(least.largest > 0)) {

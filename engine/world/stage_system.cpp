@@ -17,7 +17,7 @@ constexpr int most_iterations = 25;
 /// Below this many unknowns a matrix is taken for full.
 constexpr int small_system = 64;
 
-/// Rows [row, row + 3) of a bond's force times columns: sum over force components.
+/// How a rate changes with a force at the centre that changes so.
 Real along(const Real (&by_pull)[3], const Vector3<Real>& force) {
   return by_pull[0] * force.x + by_pull[1] * force.y + by_pull[2] * force.z;
 }

@@ -61,7 +61,7 @@ std::vector<Real> some_state(MotionKind kind) {
 /// Derivative of f(x) by a difference of sixth order.
 template <class F>
 Real slope(Real x, F f) {
-  const Real d = 1e-2;
+  const Real d = 4e-3;
   return (45 * (f(x + d) - f(x - d)) - 9 * (f(x + 2 * d) - f(x - 2 * d)) + (f(x + 3 * d) - f(x - 3 * d))) / (60 * d);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "perf/cost/choice.h"
+#include "perf/cost/ensemble.h"
 #include "perf/timing.h"
 
 namespace ballpark::cost {
@@ -22,7 +23,9 @@ constexpr double long_run = 0.02;  ///< of the coarsest setting [s]
 class Study {
  public:
   Study(const Ground& ground, const Request& request, const Progress& progress, double begin)
-      : ground_(ground), request_(request), progress_(progress), begin_(begin), result_(ground.about) {}
+      : ground_(ground), request_(request), progress_(progress), begin_(begin), result_(ground.about) {
+    if (ground.goes_beyond_horizon()) seconds_ *= 1 - share_of_ensembles();
+  }
 
   std::optional<Result> result() {
     if (!run_sweep() || !time_all()) return std::nullopt;
@@ -32,6 +35,7 @@ class Study {
     const std::string lecture = comparison(result_, "rk4", "euler");
     if (!lecture.empty()) result_.crossovers.push_back(lecture);
     add_paths(ground_, result_, [&] { return on("confirming", 1); });
+    if (!look_beyond_horizon()) return std::nullopt;
     return std::move(result_);
   }
 
@@ -46,7 +50,7 @@ class Study {
     add_own(list);
     const Point probe = measured_point(ground_, list.front().settings.front(), [&] { return on("sweep", 0); });
     if (probe.seconds.minimum > long_run) rounds_ = few_rounds;
-    const double left = (1 - reference_share / 2) * request_.seconds - taken();
+    const double left = (1 - reference_share / 2) * seconds_ - taken();
     return sweep(ground_, list, {left, rounds_}, result_, [&](double fraction) { return on("sweep", fraction); });
   }
 
@@ -76,7 +80,7 @@ class Study {
   bool time_all() {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < result_.points.size(); ++i) all.push_back(i);
-    const double left = std::min(timing_share * request_.seconds, 0.92 * request_.seconds - taken());
+    const double left = std::min(timing_share * seconds_, 0.92 * seconds_ - taken());
     return time_points(ground_, all, {std::max(0.0, left), rounds_}, result_,
                        [&](double fraction) { return on("timing", fraction); });
   }
@@ -84,31 +88,44 @@ class Study {
   /// The fastest settings are timed once more beside each other; what is named proves itself in a run of its own.
   bool recommend() {
     if (!request_.tolerance && !request_.budget) return true;
-    const double limit = request_.tolerance ? *request_.tolerance : *request_.budget * ground_.scene.run.duration;
-    const auto ranked = [&] {
-      return request_.tolerance ? accurate_enough(result_, limit, request_.margin) : cheap_enough(result_, limit);
-    };
     const std::size_t swept = result_.points.size();
-    for (int i = 0; request_.tolerance && i < 2; ++i) {
-      if (!refine(ground_, limit / request_.margin, result_, [&] { return on("confirming", 0); })) return false;
+    if (request_.tolerance && !(refine_near(limit()) && time_again(swept))) return false;
+    const std::vector<std::size_t> list = ranked();
+    if (!list.empty()) name(list.front());
+    return true;
+  }
+
+  /// The error asked for, or the seconds that a run may take.
+  double limit() const {
+    return request_.tolerance ? *request_.tolerance : *request_.budget * ground_.scene.run.duration;
+  }
+  std::vector<std::size_t> ranked() const {
+    return request_.tolerance ? accurate_enough(result_, limit(), request_.margin) : cheap_enough(result_, limit());
+  }
+
+  bool refine_near(double tolerance) {
+    for (int i = 0; i < 2; ++i) {
+      if (!refine(ground_, tolerance / request_.margin, result_, [&] { return on("confirming", 0); })) return false;
     }
+    return true;
+  }
+
+  /// Those about as fast as the fastest, and the new ones since the sweep: timed in turns like the others.
+  bool time_again(std::size_t swept) {
     std::vector<std::size_t> list = ranked();
     if (list.empty()) return true;
-    if (request_.tolerance) {
-      const double near = 2 * result_.points[list.front()].seconds.minimum;
-      std::erase_if(list, [&](std::size_t i) { return result_.points[i].seconds.minimum > near; });
-      for (std::size_t i = swept; i < result_.points.size(); ++i) {  // timed in turns like the others
-        if (std::find(list.begin(), list.end(), i) == list.end()) list.push_back(i);
-      }
-      if (!time_points(ground_, list, {0, rounds_for(list)}, result_, [&](double f) { return on("confirming", f); })) {
-        return false;
-      }
-      list = ranked();
-      if (list.empty()) return true;
+    const double near = 2 * result_.points[list.front()].seconds.minimum;
+    std::erase_if(list, [&](std::size_t i) { return result_.points[i].seconds.minimum > near; });
+    for (std::size_t i = swept; i < result_.points.size(); ++i) {
+      if (std::find(list.begin(), list.end(), i) == list.end()) list.push_back(i);
     }
-    const Point& best = result_.points[list.front()];
+    return time_points(ground_, list, {0, rounds_for(list)}, result_, [&](double f) { return on("confirming", f); });
+  }
+
+  void name(std::size_t index) {
+    const Point& best = result_.points[index];
     const Point again = measured_point(ground_, best.setting, [&] { return on("confirming", 1); });
-    Recommendation named{list.front(), request_.tolerance ? *request_.tolerance : *request_.budget,
+    Recommendation named{index, request_.tolerance ? *request_.tolerance : *request_.budget,
                          request_.tolerance ? request_.margin : 1, again.error, ""};
     const double each = best.seconds.minimum / ground_.scene.run.duration;
     const auto told = [&](double error) {
@@ -119,7 +136,14 @@ class Study {
         fmt::format("{}: error {} in {}, or {} a simulated second; a fresh run confirms {}", text(best.setting),
                     told(best.error), time_text(best.seconds.minimum), time_text(each), told(again.error));
     result_.recommended = named;
-    return true;
+  }
+
+  double share_of_ensembles() const { return request_.copies ? asked_share : unasked_share; }
+
+  bool look_beyond_horizon() {
+    EnsembleRequest request{request_.copies.value_or(fewest_copies), request_.perturb.value_or(root_of_rounding),
+                            share_of_ensembles() * request_.seconds, request_.copies.has_value()};
+    return add_ensemble(ground_, request, result_, [&](double fraction) { return on("ensembles", fraction); });
   }
 
   /// As many as a tenth of the time has room for.
@@ -133,6 +157,7 @@ class Study {
   const Request& request_;
   const Progress& progress_;
   double begin_;
+  double seconds_ = request_.seconds;  ///< for all inside the horizon
   Result result_;
   int rounds_ = many_rounds;
 };

@@ -71,9 +71,9 @@ void stay_inside_horizon(Ground& ground, const std::vector<double>& steps, const
   about.horizon = find_horizon(ground.scene, ground.options, go_on);
   if (!about.horizon) return;
   double& duration = ground.scene.run.duration;
-  const double whole = duration;
   duration /= std::ceil(duration / about.horizon->time);
-  about.horizon->sentence += fmt::format(" Compared: the first {:.3g} of {:.3g} s.", duration, whole);
+  about.horizon->sentence +=
+      fmt::format(" Paths are compared over the first {:.3g} of {:.3g} s.", duration, ground.whole);
   about.duration = duration;
   look_at(ground, steps);
 }
@@ -96,6 +96,7 @@ void settle_measure(Ground& ground, const std::optional<Measure>& asked) {
 std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& request, const GoOn& go_on) {
   Ground ground;
   ground.scene = scene;
+  ground.whole = scene.run.duration;
   ground.options = request.options;
   ground.options.precision.reset();
   describe(ground);

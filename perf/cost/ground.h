@@ -25,13 +25,15 @@ struct GroundRequest {
 };
 
 struct Ground {
-  Scene scene;  ///< as it is compared: up to the horizon
+  Scene scene;       ///< as it is compared: up to the horizon
+  double whole = 0;  ///< duration that was asked for [s]
   Options options;
   Samples samples;
   ReferenceTrack reference;
   Measure measure;
   Result about;  ///< what of a result is known before anything is measured
 
+  bool goes_beyond_horizon() const { return whole > scene.run.duration * (1 + 1e-9); }
   /// The error of a run that the measure means.
   double error_of(const Errors& errors) const { return value_of(errors, measure.quantity, measure.which); }
 };

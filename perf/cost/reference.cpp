@@ -129,11 +129,12 @@ std::optional<ReferenceTrack> by_extrapolation(Scene scene, const Samples& sampl
       fine{extrapolation, 0, tight, Precision::extended};
   const std::optional<Track> first = tracked(scene, coarse, samples, options, go_on);
   if (!first) return std::nullopt;
+  const double begin = seconds_now();
   std::optional<Track> second = tracked(scene, fine, samples, options, go_on);
   if (!second) return std::nullopt;
   ReferenceTrack reference{
       {"extrapolation in extended precision", fmt::format("{}, tolerances {:g} and {:g}", extrapolation, loose, tight),
-       apart(*first, *second), scale_of(*second, samples)},
+       apart(*first, *second), scale_of(*second, samples), fine, seconds_now() - begin},
       std::move(*second)};
   add_rounding(reference);
   return reference;
@@ -193,22 +194,23 @@ std::optional<ReferenceTrack> finest_runs(const Scene& scene, const Samples& sam
                                           double seconds, const GoOn& go_on) {
   Setting setting = finest_setting(scene);
   std::optional<Track> before, last;
-  double taken = 0;
+  double taken = 0, last_taken = 0;
   std::uint64_t steps = samples.times.size();
   for (; steps <= 20'000'000 && taken * 2.2 < seconds; steps *= 2) {
     const double begin = seconds_now();
     setting.step = scene.run.duration / static_cast<double>(steps);
     std::optional<Track> track = tracked(scene, setting, samples, options, go_on);
     if (!go_on()) return std::nullopt;
-    taken = std::max(seconds_now() - begin, 2 * taken);
-    seconds -= seconds_now() - begin;
+    last_taken = seconds_now() - begin;
+    taken = std::max(last_taken, 2 * taken);
+    seconds -= last_taken;
     before = std::exchange(last, std::move(track));
     if (before && last && converged(*before, *last)) break;
   }
   if (!last || !before) return std::nullopt;
-  ReferenceTrack reference{
-      {"two finest runs", text(setting) + " and twice that", apart(*before, *last), scale_of(*last, samples)},
-      std::move(*last)};
+  ReferenceTrack reference{{"two finest runs", text(setting) + " and twice that", apart(*before, *last),
+                            scale_of(*last, samples), setting, last_taken},
+                           std::move(*last)};
   add_rounding(reference);
   return reference;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ballpark/scene.h"
+#include "perf/cost/statistics.h"
 
 namespace ballpark::cost {
 
@@ -86,12 +87,37 @@ struct Reference {
   std::string what;  ///< "Kepler's equation (Danby, Fundamentals of Celestial Mechanics, 6)"
   std::array<double, quantity_count> error_bar{};  ///< of itself
   std::array<double, quantity_count> scale{};      ///< largest value along the path
+  std::optional<Setting> setting = {};             ///< that it was run with, if it was run
+  double seconds = 0;                              ///< that this took
 };
 
 /// Errors of trajectories mean something up to `time` [s].
 struct Horizon {
   double time = 0, lyapunov_time = 0, uncertainty = 0;
   std::string sentence;
+};
+
+/// What is seen of every copy of an ensemble at its end.
+struct Observable {
+  std::string name, unit;
+};
+
+/// Runs of one setting that start a little apart.
+struct EnsembleRuns {
+  Setting setting;
+  double seconds = 0;            ///< a run, measured once
+  std::vector<Mean> means = {};  ///< by observable
+  std::vector<Difference> from_reference = {};
+};
+
+/// Beyond the horizon: what means over runs tell, as no path does.
+struct Ensemble {
+  int copies = 0;
+  double perturb = 0, time = 0;  ///< relative change of the start; when it is looked at [s]
+  std::vector<Observable> observables;
+  EnsembleRuns reference;
+  std::string why_reference;  ///< "the most accurate inside the horizon"
+  std::vector<EnsembleRuns> settings;
 };
 
 /// The cheapest setting that is accurate enough, or the most accurate that is cheap enough.
@@ -122,6 +148,7 @@ struct Result {
   double floor = 0;    ///< no error below this is claimed: ten times the reference's own
   double ceiling = 0;  ///< larger errors are no answer: a tenth of how far things go
   std::optional<Horizon> horizon;
+  std::optional<Ensemble> ensemble;
   std::vector<Curve> curves;
   std::vector<Point> points;
   std::vector<std::string> crossovers;

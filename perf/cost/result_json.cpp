@@ -107,6 +107,47 @@ Json curves_json(const Result& result) {
   return list;
 }
 
+void add_mean(Json& json, const Observable& observable, const Mean& mean) {
+  const double margin = mean.margin();
+  json["observable"] = observable.name;
+  json["unit"] = observable.unit;
+  json["mean"] = mean.value;
+  json["interval95"] = {mean.value - margin, mean.value + margin};
+}
+
+Json reference_json(const Ensemble& ensemble) {
+  Json json, means = Json::array();
+  for (std::size_t o = 0; o < ensemble.observables.size(); ++o) {
+    add_mean(means.emplace_back(), ensemble.observables[o], ensemble.reference.means[o]);
+  }
+  add_setting(json, ensemble.reference.setting);
+  json["why"] = ensemble.why_reference;
+  json["seconds"] = ensemble.reference.seconds;
+  json["means"] = means;
+  return json;
+}
+
+Json ensemble_json(const Ensemble& ensemble) {
+  Json observables = Json::array(), settings = Json::array();
+  for (const Observable& o : ensemble.observables) observables.push_back({{"name", o.name}, {"unit", o.unit}});
+  for (const EnsembleRuns& runs : ensemble.settings) {
+    for (std::size_t o = 0; o < runs.means.size(); ++o) {
+      Json& row = settings.emplace_back();
+      const Difference& difference = runs.from_reference[o];
+      add_setting(row, runs.setting);
+      row["seconds"] = runs.seconds;
+      add_mean(row, ensemble.observables[o], runs.means[o]);
+      row["difference"] = difference.value;
+      row["standard_error"] = difference.error;
+      row["sigmas"] = difference.sigmas();
+      row["chance"] = difference.chance;
+    }
+  }
+  return {{"copies", ensemble.copies},  {"perturb", ensemble.perturb},
+          {"time", ensemble.time},      {"reference", reference_json(ensemble)},
+          {"observables", observables}, {"settings", settings}};
+}
+
 Json paths_json(const Result& result) {
   Json list = Json::array();
   for (const Path& path : result.paths) {
@@ -144,6 +185,7 @@ Json to_json(const Result& result) {
                        {"uncertainty", result.horizon->uncertainty},
                        {"sentence", result.horizon->sentence}};
   }
+  json["ensemble"] = result.ensemble ? ensemble_json(*result.ensemble) : Json(nullptr);
   json["curves"] = curves_json(result);
   json["points"] = Json::array();
   for (const Point& point : result.points) json["points"].push_back(point_json(point, reference));

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "ballpark/catalogue.h"
+#include "perf/cost/ensemble.h"
 #include "scenarios/command/errors.h"
 #include "scenarios/command/scene_options.h"
 #include "scenarios/command/text.h"
@@ -131,15 +132,33 @@ double duration_of(const std::string& option, const std::string& text) {
   return real_number(option, text, false);
 }
 
+/// Copies are runs of ensembles, beyond a horizon: what is compared inside it is the scene as it is.
+void take_ensemble(const Arguments& arguments, cost::Request& request) {
+  if (arguments.command != "cost") {
+    if (arguments.copies) throw UsageError("--copies: order measures one copy of the scene");
+    return;
+  }
+  if (arguments.copies && request.options.copies < cost::fewest_copies) {
+    throw UsageError(fmt::format("--copies: statistics need an ensemble of at least {} runs", cost::fewest_copies));
+  }
+  if (arguments.perturb && !(request.options.perturb > 0)) {
+    throw UsageError("--perturb: copies that start alike are no ensemble; expected a number above 0");
+  }
+  if (arguments.copies) request.copies = request.options.copies;
+  if (arguments.perturb) request.perturb = request.options.perturb;
+  request.options.copies = 1;
+  request.options.perturb = 0;
+}
+
 }  // namespace
 
 cost::Request cost_request(const Arguments& arguments, const Scene& scene) {
   cost::Request request;
   request.options = run_options(arguments);
+  take_ensemble(arguments, request);
   check_memory(scene, request.options);
   if (!(scene.run.duration > 0)) throw UsageError("run.duration is 0: there is no error to measure");
   if (body_count(scene) == 0) throw UsageError("the scene has no bodies: there is no error to measure");
-  if (request.options.copies > 1) throw UsageError("--copies: cost measures one copy of the scene");
   request.axes = axes_of(arguments, scene);
   if (arguments.error) request.measure = measure_of(*arguments.error);
   if (arguments.seconds) request.seconds = real_number("--seconds", *arguments.seconds, false);

@@ -166,8 +166,8 @@ void add_prices(Page& page, const Result& result) {
 }  // namespace
 
 double overall(const std::string& what, double fraction) {
-  const double starts[] = {0, 0.15, 0.4, 0.9, 1};
-  const char* parts[] = {"reference", "sweep", "timing", "confirming"};
+  const double starts[] = {0, 0.15, 0.4, 0.8, 0.85, 1};
+  const char* parts[] = {"reference", "sweep", "timing", "confirming", "ensembles"};
   for (std::size_t i = 0; i < std::size(parts); ++i) {
     if (what == parts[i]) return starts[i] + (starts[i + 1] - starts[i]) * std::clamp(fraction, 0.0, 1.0);
   }
@@ -188,6 +188,7 @@ std::string cost_text(const Result& result) {
   }
   if (!result.crossovers.empty()) text.heading("Crossovers");
   text.list(result.crossovers);
+  if (result.ensemble) add_ensemble(text, *result.ensemble);
   if (!any) text.paragraph("No setting that was tried gives an answer: see what was left out, and why.");
   if (!result.left_out.empty()) text.heading("Left out");
   text.list(result.left_out);

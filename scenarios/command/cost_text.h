@@ -17,6 +17,9 @@ std::string cost_text(const cost::Result& result);
 /// What errors are held against.
 void add_ground(Page& page, const cost::Result& result);
 
+/// Statistics beyond the horizon.
+void add_ensemble(Page& page, const cost::Ensemble& ensemble);
+
 /// The whole command's progress, from the part that it is at.
 double overall(const std::string& what, double fraction);
 

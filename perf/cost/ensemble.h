@@ -24,7 +24,8 @@ struct EnsembleRequest {
   bool asked = false;                 ///< or done unasked
 };
 
-/// What is seen of every scene.
+/// What is seen of every scene. The energy change is relative: kept or not, it shows a method's drift.
+inline constexpr const char* energy_change = "energy change";
 const std::vector<Observable>& observables();
 
 /// Copies of a scene, each at its end.

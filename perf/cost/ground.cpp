@@ -72,8 +72,6 @@ void stay_inside_horizon(Ground& ground, const std::vector<double>& steps, const
   if (!about.horizon) return;
   double& duration = ground.scene.run.duration;
   duration /= std::ceil(duration / about.horizon->time);
-  about.horizon->sentence +=
-      fmt::format(" Paths are compared over the first {:.3g} of {:.3g} s.", duration, ground.whole);
   about.duration = duration;
   look_at(ground, steps);
 }
@@ -91,6 +89,42 @@ void settle_measure(Ground& ground, const std::optional<Measure>& asked) {
   about.ceiling = std::max(about.floor, 0.1 * about.reference.scale[quantity]);
 }
 
+/// Takes the reference, unless it may itself be wrong by more than such a share of how far things go.
+bool refer(Ground& ground, std::optional<ReferenceTrack> reference, const GroundRequest& request, double share) {
+  if (!reference) return false;
+  ground.reference = std::move(*reference);
+  settle_measure(ground, request.measure);
+  const auto quantity = static_cast<std::size_t>(ground.measure.quantity);
+  return ground.about.floor <= 10 * share * ground.about.reference.scale[quantity];
+}
+
+/// A numerical one; before a horizon only as far as runs agree, whose own errors grow too.
+bool refer_to_runs(Ground& ground, const GroundRequest& request, const GoOn& go_on) {
+  constexpr int most_halvings = 4;
+  constexpr double agreed = 0.01;
+  const auto find = request.reference == "runs" ? finest_runs : numerical_reference;
+  std::optional<Horizon>& horizon = ground.about.horizon;
+  double& duration = ground.scene.run.duration;
+  int halvings = 0;
+  while (true) {
+    const bool last = !horizon || halvings == most_halvings;
+    const double seconds = halvings == 0 ? request.seconds : request.seconds / most_halvings;
+    if (refer(ground, find(ground.scene, ground.samples, ground.options, seconds, go_on), request, last ? 1 : agreed)) {
+      break;
+    }
+    if (last || !go_on()) return false;
+    ++halvings;
+    duration /= 2;
+    ground.about.duration = duration;
+    look_at(ground, request.steps);
+  }
+  if (horizon) {
+    horizon->sentence += fmt::format(" Paths are compared over the first {:.3g} of {:.3g} s{}.", duration, ground.whole,
+                                     halvings > 0 ? ", as far as two fine runs agree" : "");
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& request, const GoOn& go_on) {
@@ -101,23 +135,17 @@ std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& reques
   ground.options.precision.reset();
   describe(ground);
   look_at(ground, request.steps);
-  std::optional<ReferenceTrack> reference;
-  if (request.reference == "best") reference = closed_form(scene, ground.samples, ground.options);
-  if (!reference) {
-    const double end = seconds_now() + request.seconds / 2;
-    stay_inside_horizon(ground, request.steps, [&] { return go_on() && seconds_now() < end; });
-    if (!ground.about.horizon && seconds_now() >= end) {
-      ground.about.left_out.push_back("whether runs part (chaos), and how soon: for want of time (more: --seconds)");
+  if (request.reference == "best") {
+    if (auto exact = closed_form(scene, ground.samples, ground.options)) {
+      return refer(ground, std::move(exact), request, 1) ? std::optional(std::move(ground)) : std::nullopt;
     }
-    const auto find = request.reference == "runs" ? finest_runs : numerical_reference;
-    reference = find(ground.scene, ground.samples, ground.options, request.seconds, go_on);
   }
-  if (!reference) return std::nullopt;
-  ground.reference = std::move(*reference);
-  settle_measure(ground, request.measure);
-  // A reference that may itself be wrong by as much as things go tells nothing.
-  const auto quantity = static_cast<std::size_t>(ground.measure.quantity);
-  if (!(ground.about.floor <= 10 * ground.about.reference.scale[quantity])) return std::nullopt;
+  const double end = seconds_now() + request.seconds / 2;
+  stay_inside_horizon(ground, request.steps, [&] { return go_on() && seconds_now() < end; });
+  if (!ground.about.horizon && seconds_now() >= end) {
+    ground.about.left_out.push_back("whether runs part (chaos), and how soon: for want of time (more: --seconds)");
+  }
+  if (!refer_to_runs(ground, request, go_on)) return std::nullopt;
   return ground;
 }
 

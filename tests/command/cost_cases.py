@@ -22,6 +22,23 @@ kind = "spring"
 stiffness = 25.0
 anchor = [0.0, 0.0, 0.0]
 """
+THREE = """
+name = "three"
+doc = "three stars, softened, that meet again and again"
+[run]
+duration = 100.0
+step = 0.005
+integrator = "rk4"
+[[bodies]]
+name = "stars"
+mass = [3.0, 4.0, 5.0]
+position = [[1.0, 3.0, 0.0], [-2.0, -1.0, 0.0], [1.0, -1.0, 0.0]]
+velocity = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
+[[effects]]
+kind = "mutual_gravity"
+strength = 1.0
+softening = 0.3
+"""
 FEW = ["--integrators", "euler,rk4,dormand_prince5", "--seconds", "1"]
 
 
@@ -124,7 +141,8 @@ class Cost(CommandTest):
                 (["--budget", "2 weeks"], ["--budget"]),
                 (["--write"], ["--write needs --tolerance"]),
                 (["--write", "--tolerance", "1", "--precisions", "extended"], ["extended"]),
-                (["--copies", "2"], ["--copies"]),
+                (["--copies", "2"], ["--copies", "at least 10"]),
+                (["--copies", "10", "--perturb", "0"], ["--perturb", "above 0"]),
                 (["--csv", "swing.toml"], ["would lose it"]),
                 (["--svg", "nowhere/a.svg"], ["no folder"]),
                 (["--write", "--tolerance", "1", "--set", "run.step=0.5"], ["--set"]),
@@ -135,6 +153,30 @@ class Cost(CommandTest):
         empty = self.write("empty.toml", "[run]\nduration = 1.0\nstep = 0.5\n")
         self.refused("cost", empty, says="no bodies")
         self.refused("order", empty, says="no bodies")
+        self.refused("order", self.swing, "--copies", "10", says="one copy")
+
+    def test_paths_that_stay_together_need_no_ensemble(self):
+        result = self.json("cost", self.swing, *FEW, "--copies", "10")
+        self.assertIsNone(result["ensemble"])
+        self.assertIn("paths stay together", result["left_out"][-1])
+
+    def test_beyond_the_horizon_means_are_compared(self):
+        three = self.write("three.toml", THREE)
+        words = ["cost", three, "--integrators", "rk4,dormand_prince8", "--seconds", "4", "--copies", "11"]
+        result = self.json(*words)
+        ensemble = result["ensemble"]
+        self.assertLess(result["duration"], result["horizon"]["time"])
+        self.assertEqual((ensemble["copies"], ensemble["time"], ensemble["perturb"]), (11, 100, 1e-8))
+        names = [observable["name"] for observable in ensemble["observables"]]
+        self.assertIn("kinetic energy", names)
+        self.assertEqual([mean["observable"] for mean in ensemble["reference"]["means"]], names)
+        for row in ensemble["settings"]:
+            low, high = row["interval95"]
+            self.assertTrue(low <= row["mean"] <= high)
+            self.assertIn(row["observable"], names)
+        text = self.call(*words).stdout
+        self.assertIn("Beyond the horizon: ensembles of 11 runs, at t = 100 s", text)
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)
 
     def test_no_setting_is_tried_twice(self):
         for own in (["run.tolerance=1e-8"], ["run.step=0.1"]):

@@ -2,7 +2,7 @@
 
 import { chart } from "./chart.js";
 import { colourOf, grey, pathColours, standing } from "./colours.js";
-import { costs, measures, number } from "./data.js";
+import { contactText, costs, measures, number, settingText } from "./data.js";
 import { legend } from "./legend.js";
 import { bestProjection, pathFigure, projections } from "./paths.js";
 import { table } from "./table.js";
@@ -236,9 +236,40 @@ function paths() {
   whenResized(holder, render);
 }
 
+/// Means beyond the horizon: a row a setting, a column an observable; what differs stands out.
+function ensemble() {
+  if (!result.ensemble) return;
+  const { copies, time, reference, observables, settings } = result.ensemble;
+  const named = (p) => [settingText(p), contactText(p.contact)].filter(Boolean).join(", ");
+  const part = make(page, "section");
+  make(part, "h2", {}, `Beyond the horizon: ensembles of ${copies} runs, at t = ${number(time)} s`);
+  make(part, "p", {}, `Means with their 95 % intervals; in parentheses how many standard errors they are from those of
+    the reference, ${named(reference)} (${reference.why}).`);
+  const place = make(part, "div", { className: "scroll" });
+  const body = make(place, "table");
+  const head = make(make(body, "thead"), "tr");
+  make(head, "th", { scope: "col" }, "setting");
+  for (const { name, unit } of observables)
+    make(head, "th", { scope: "col", className: "numeric" }, unit ? `${name} [${unit}]` : name);
+  const mean = (m) => `${number(m.mean)} \u00b1 ${number((m.interval95[1] - m.interval95[0]) / 2, 2)}`;
+  const rows = make(body, "tbody");
+  const first = make(rows, "tr", { className: "front" });
+  make(first, "td", {}, `reference: ${named(reference)}`);
+  for (const m of reference.means) make(first, "td", { className: "numeric" }, mean(m));
+  for (let i = 0; i < settings.length; i += observables.length) {
+    const row = make(rows, "tr");
+    make(row, "td", {}, named(settings[i]));
+    for (const m of settings.slice(i, i + observables.length)) {
+      const cell = make(row, "td", { className: "numeric" });
+      make(cell, m.sigmas > 2 ? "strong" : "span", {}, `${mean(m)} (${number(m.sigmas, 2)})`);
+    }
+  }
+}
+
 head();
 const points = workPrecision();
 list("Where curves cross", result.crossovers);
+ensemble();
 paths();
 list("Left out", result.left_out);
 page.append(points);

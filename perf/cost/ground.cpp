@@ -66,9 +66,9 @@ void look_at(Ground& ground, const std::vector<double>& steps) {
 
 /// Where runs part, only the first part of the duration can be compared: a whole fraction of it, so that its steps fill
 /// the whole of it too.
-void stay_inside_horizon(Ground& ground, const std::vector<double>& steps, const GoOn& go_on) {
+void stay_inside_horizon(Ground& ground, const std::vector<double>& steps, const GoOn& go_on, double growth) {
   Result& about = ground.about;
-  about.horizon = find_horizon(ground.scene, ground.options, go_on);
+  about.horizon = find_horizon(ground.scene, ground.options, go_on, growth);
   if (!about.horizon) return;
   double& duration = ground.scene.run.duration;
   duration /= std::ceil(duration / about.horizon->time);
@@ -141,11 +141,16 @@ std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& reques
     }
   }
   const double end = seconds_now() + request.seconds / 2;
-  stay_inside_horizon(ground, request.steps, [&] { return go_on() && seconds_now() < end; });
+  const GoOn in_time = [&] { return go_on() && seconds_now() < end; };
+  stay_inside_horizon(ground, request.steps, in_time, lost);
   if (!ground.about.horizon && seconds_now() >= end) {
     ground.about.left_out.push_back("whether runs part (chaos), and how soon: for want of time (more: --seconds)");
   }
-  if (!refer_to_runs(ground, request, go_on)) return std::nullopt;
+  if (refer_to_runs(ground, request, go_on)) return ground;
+  // Errors of a low order are the larger nudge: they grow to the size of the path first.
+  if (ground.about.horizon || !go_on()) return std::nullopt;
+  stay_inside_horizon(ground, request.steps, go_on, std::sqrt(lost));
+  if (!ground.about.horizon || !refer_to_runs(ground, request, go_on)) return std::nullopt;
   return ground;
 }
 

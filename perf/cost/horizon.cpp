@@ -11,7 +11,6 @@ namespace ballpark::cost {
 namespace {
 
 constexpr double nudge = 1e-10;  ///< relative change of the twin's start
-constexpr double lost = 1e8;     ///< growth that takes half of double's digits
 constexpr std::size_t looks = 200;
 
 /// Largest distance of the bodies of two worlds.
@@ -69,7 +68,7 @@ std::pair<double, double> slope(const std::vector<double>& x, const std::vector<
 
 }  // namespace
 
-std::optional<Horizon> find_horizon(const Scene& scene, const Options& options, const GoOn& go_on) {
+std::optional<Horizon> find_horizon(const Scene& scene, const Options& options, const GoOn& go_on, double growth) {
   Options nudged = options;
   nudged.perturb = nudge;
   const Scene accurate = accurately(scene);
@@ -77,7 +76,7 @@ std::optional<Horizon> find_horizon(const Scene& scene, const Options& options, 
   const double duration = scene.run.duration;
   double first = apart(world, twin), last = 0;
   std::vector<double> times{0}, logs{0};
-  for (std::size_t k = 1; k <= looks && logs.back() < std::log(lost); ++k) {
+  for (std::size_t k = 1; k <= looks && logs.back() < std::log(growth); ++k) {
     last = duration * static_cast<double>(k) / looks;
     if (!advance(world, last, go_on) || !advance(twin, last, go_on)) return std::nullopt;
     const double now = apart(world, twin);
@@ -86,7 +85,7 @@ std::optional<Horizon> find_horizon(const Scene& scene, const Options& options, 
     times.push_back(last);
     logs.push_back(std::log(now / first));
   }
-  if (logs.back() < std::log(lost)) return std::nullopt;  // twins stay together to the end
+  if (logs.back() < std::log(growth)) return std::nullopt;  // twins stay together to the end
   const auto [rate, error] = slope(times, logs);
   Horizon horizon{last, 1 / rate, error / (rate * rate), ""};
   horizon.sentence = fmt::format(

@@ -5,7 +5,10 @@
 
 namespace ballpark::cost {
 
-/// nullopt if runs that start almost alike stay together.
-std::optional<Horizon> find_horizon(const Scene& scene, const Options& options, const GoOn& go_on);
+/// Growth of a distance that takes half of double's digits.
+inline constexpr double lost = 1e8;
+/// nullopt if the distance of runs that start almost alike does not grow so far.
+std::optional<Horizon> find_horizon(const Scene& scene, const Options& options, const GoOn& go_on,
+                                    double growth = lost);
 
 }  // namespace ballpark::cost

@@ -116,8 +116,9 @@ void add_ensemble(Page& page, const Ensemble& ensemble) {
   page.paragraph(fmt::format(
       "Starts differ by a relative {:g}, and by what the scene's seed draws. Beyond the horizon runs forget them: "
       "means "
-      "of two settings count as independent. Intervals are by Student's t; sigma is the standard error of the "
-      "difference of two means (after the energy change in parentheses).",
+      "of two settings count as independent (where runs have not parted yet, that overstates the error of their "
+      "difference). Intervals are by Student's t; sigma is the standard error of a difference (after the energy change "
+      "in parentheses).",
       ensemble.perturb));
   add_reference(page, ensemble);
   if (ensemble.settings.empty()) return;

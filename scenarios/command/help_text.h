@@ -103,11 +103,12 @@ inline constexpr const char* cost =
     "tolerances, precision, rotation and contacts in the scene file, and nothing else.\n"
     "Where runs that start almost alike part (chaos), errors of paths are told up to\n"
     "that horizon only. Beyond it, ensembles of 10 runs are compared at the end: of\n"
-    "the scene's own setting, and of those on the front, where there is time. --copies\n"
-    "asks for more runs, and gives them more of the time (--perturb: how far apart\n"
-    "they start, relatively; 1e-8). Their means (energies, speed, centre, spread,\n"
-    "deepest overlap) stand with intervals of 95 % beside those of a reference; above\n"
-    "2 standard errors the effect of a method is seen. The output says which it did.\n";
+    "the scene's own setting, and of those on the front, where there is time.\n"
+    "--copies asks for more runs, and gives them more of the time (--perturb: how far\n"
+    "apart they start, relatively; 1e-8). Their means (energies, speed, centre,\n"
+    "spread, deepest overlap) stand with intervals of 95 % beside those of a\n"
+    "reference; above 2 standard errors the effect of a method is seen. The output\n"
+    "says which it did.\n";
 
 inline constexpr const char* order =
     "Example:\n"

@@ -36,7 +36,7 @@ bool finite(const std::vector<double>& values) {
 }  // namespace
 
 const std::vector<Observable>& observables() {
-  static const std::vector<Observable> list{{"kinetic energy", "J"}, {energy_change, ""},   {"mean speed", "m/s"},
+  static const std::vector<Observable> list{{"kinetic energy", "J"}, {energy_change, ""},     {"mean speed", "m/s"},
                                             {"centre x", "m"},       {"centre y", "m"},       {"centre z", "m"},
                                             {"spread", "m"},         {"deepest overlap", "m"}};
   return list;

@@ -185,8 +185,9 @@ class Ensembles {
     }
     std::string why = "statistics beyond the horizon: no setting counts that could be their reference";
     if (least > for_reference * request_.seconds) {
-      why = fmt::format("statistics beyond the horizon: {} runs take {} at least (--copies {} --seconds {:.1g})",
-                        request_.copies, time_text(least), request_.copies, least / for_reference / asked_share);
+      why = fmt::format("statistics beyond the horizon: {} runs take {} at least (--copies {} --seconds {:.0f})",
+                        request_.copies, time_text(least), request_.copies,
+                        10 * std::ceil(1.2 * least / for_reference / asked_share / 10));
     }
     result_.left_out.push_back(why);
     return true;

@@ -28,7 +28,10 @@ StageSystem::StageSystem(const std::vector<Group>& groups, std::vector<Member> m
                          int stages)
     : stages_(stages), solver_({0}, {}) {
   bodies_.resize(members.size());
-  for (std::size_t b = 0; b < members.size(); ++b) bodies_[b].member = members[b];
+  for (std::size_t b = 0; b < members.size(); ++b) {
+    bodies_[b].member = members[b];
+    bodies_[b].at = std::make_unique<BodyRates[]>(static_cast<std::size_t>(stages));
+  }
   bonds_.resize(bonds.size());
   for (std::size_t i = 0; i < bonds.size(); ++i) bonds_[i].bond = bonds[i];
   arrange(groups);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "engine/effects/pair_effect.h"
@@ -55,7 +56,7 @@ class StageSystem {
     int first;        ///< unknown: z_i of this body begin at first + i size
     int entries = 0;  ///< of each of its columns in the matrix
     Real y[max_state_size], unit[max_state_size];
-    BodyRates at[max_stages];
+    std::unique_ptr<BodyRates[]> at;  ///< by stage
     Real place[6];
     Vector3<Real> pull;
 

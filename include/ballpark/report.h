@@ -106,7 +106,7 @@ struct StepLimitReport {
 
 /// What exists for a scene, and why: what `ballpark explain` prints.
 struct Explanation {
-  std::string path;  ///< "fused" or "staged"
+  std::string path;  ///< "fused", "staged" or "implicit"
   std::string path_reason;
   std::string integrator, precision, target;
   std::string rotation;  ///< how orientations follow from spins; "" if none changes

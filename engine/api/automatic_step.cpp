@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ballpark/catalogue.h"
 #include "ballpark/world.h"
 
 namespace ballpark {
@@ -32,10 +33,11 @@ double automatic_step(const Scene& scene) {
   any_step.run.step = scene.run.duration > 0 ? scene.run.duration : 1;
   const StepLimitReport least = tightest(World(any_step, {.threads = 1}).explain());
   if (std::isinf(least.largest)) {
-    throw SceneError("run.step",
-                     "\"auto\" finds nothing that limits a step (no spring, damper or penalty contact, or an implicit "
-                     "integrator); "
-                     "expected a number > 0 [s]");
+    const auto row = std::find_if(integrators().begin(), integrators().end(),
+                                  [&](const auto& each) { return each.name == scene.run.integrator; });
+    const std::string why = row->implicit ? "limits a step of " + row->name + ", which is implicit"
+                                          : "limits a step (no spring, damper or penalty contact)";
+    throw SceneError("run.step", "\"auto\" finds nothing that " + why + "; expected a number > 0 [s]");
   }
   if (!(least.largest > 0)) {
     throw SceneError("run.step", "\"auto\" finds no stable step for " + scene.run.integrator + " on " + least.of +

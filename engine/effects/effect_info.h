@@ -2,9 +2,8 @@
 //   Constants                                    its parameters as Real, packed once at build
 //   force(constants, body, loads)                adds to the loads; a template on the vector type
 //   force_rate(constants, body, a, load_rates)   optional: adds the time derivative of its loads (Taylor-2)
-//   turning(constants, body)                     optional: W [1/s] of the part m W x v of its force, which then is all
-//   of
-//                                                it that reads velocity (Boris)
+//   turning(constants, body)                     optional: W [1/s] of m W x v, which then is all of its force that
+//                                                reads velocity (Boris)
 //   energy(constants, body)                      optional: potential energy
 //   Constants::window                            optional: when it acts; steps are split at its ends
 //   Constants::rows                              optional: acts on one body or all

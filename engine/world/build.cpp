@@ -183,10 +183,13 @@ void Builder::choose_motion(std::size_t g) {
                      (body.generate && body.generate->angular_velocity_spread != Vector3d::Zero());
   const bool turns = !body.orientation.empty() || (body.generate && body.generate->random_orientation);
   const auto choose = [&](MotionKind carried, MotionKind motion, const std::string& why) {
-    const bool own_axes = world_.rotation_ == RotationRule::body && carried == MotionKind::rigid;
+    const bool wanted = world_.rotation_ == RotationRule::body, own_axes = wanted && carried == MotionKind::rigid;
     group.carried = own_axes ? MotionKind::body_frame : carried;
     group.turning = stepped(group.carried);
     group.motion = motion == MotionKind::point ? motion : group.turning;
+    if (wanted && !own_axes && group.turns()) {
+      world_.narrowed_.push_back(body.name + ": not a free body of three moments: angular momentum stays in space");
+    }
     group.why = why;
   };
   const auto narrowed = [&](const std::string& what) { world_.narrowed_.push_back(body.name + ": " + what); };

@@ -118,14 +118,18 @@ void check_pace(const Scene& scene, const IntegratorDescription& row, Problems& 
 
 /// What all bodies do to each other makes a full matrix.
 void check_size(const Scene& scene, const IntegratorDescription& row, Problems& problems) {
-  constexpr std::size_t most = 100;
+  constexpr std::size_t most = 1200, of_particle = 6, of_rigid_body = 13;
   for (const Effect& effect : scene.effects) {
-    std::size_t bodies = 0;
-    for (const BodyGroup& group : scene.bodies) bodies += acts_on(effect, group) ? body_count(group) : 0;
-    if (effect.kind != "mutual_gravity" || bodies <= most) continue;
-    problems.add("run.integrator", fmt::format("{} solves for all bodies under mutual_gravity at once, which takes too "
-                                               "long for {}, expected at most {}; or another integrator, e.g. rk4",
-                                               row.name, bodies, most));
+    std::size_t values = 0;
+    for (const BodyGroup& group : scene.bodies) {
+      if (acts_on(effect, group)) values += body_count(group) * (rotates(group) ? of_rigid_body : of_particle);
+    }
+    const std::size_t unknowns = values * static_cast<std::size_t>(row.evaluations);
+    if (effect.kind != "mutual_gravity" || unknowns <= most) continue;
+    problems.add("run.integrator",
+                 fmt::format("{} solves for all bodies under mutual_gravity at once: {} unknowns, expected at most {} "
+                             "({} particles), or another integrator, e.g. rk4",
+                             row.name, unknowns, most, most / of_particle / static_cast<std::size_t>(row.evaluations)));
   }
 }
 

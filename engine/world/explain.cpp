@@ -270,7 +270,10 @@ Explanation World::explain() const {
                   : precision() == Precision::double_ ? "double"
                                                       : "extended";
   all.target = target();
-  const auto has_rule = [](const Group& group) { return group.motion != MotionKind::point && group.turns(); };
+  const auto has_rule = [this](const Group& group) {
+    const bool own_axes = group.carried == MotionKind::body_frame;
+    return group.motion != MotionKind::point && group.turns() && (rotation_ != RotationRule::body || own_axes);
+  };
   if (std::any_of(groups_.begin(), groups_.end(), has_rule)) all.rotation = name(rotation_);
   all.threads = threads();
   all.block_length = block_length;

@@ -168,9 +168,16 @@ Moved World::implicit_step(const Method& method) {
 }
 
 void World::report_unconverged(const NewtonTally& tally) {
-  std::string sentence = fmt::format(
-      "Newton's method has not converged for body {}: its last change is {:.2g} of the state after {} iterations",
-      tally.failed_id, static_cast<double>(tally.failed->residual), tally.failed->iterations);
+  const double change = static_cast<double>(tally.failed->residual);
+  std::string sentence =
+      std::isfinite(change)
+          ? fmt::format(
+                "Newton's method has not converged for body {}: its last change is {:.2g} of the state after {} "
+                "iterations",
+                tally.failed_id, change, tally.failed->iterations)
+          : fmt::format(
+                "Newton's method finds no stages for body {}: its equations have no one solution after {} iterations",
+                tally.failed_id, tally.failed->iterations);
   if (status_.code != Status::Code::ok) sentence += "; " + status_.sentence;
   status_ = {Status::Code::unconverged, std::move(sentence), tally.failed_id, counters_.steps + 1, time() + step_};
 }

@@ -80,7 +80,7 @@ Snapshot World::snapshot() const {
                 .pace = pace(),
                 .contacts = {}};
   if (contacts_) copy.contacts = contacts_->save();
-  for (const Group& group : groups_) copy.motions.push_back(static_cast<int>(group.motion));
+  for (const Group& group : groups_) copy.motions.push_back(group.motion != MotionKind::point);
   for (const Column& column : columns_.all()) {
     if (!lasts(column)) continue;
     for (int c = 0; c < column.info.components; ++c) {
@@ -114,7 +114,9 @@ void World::restore(const Snapshot& snapshot) {
     const std::vector<std::byte>& from = snapshot.columns[count];
     if (!from.empty()) std::memcpy(column.at(c, column.first_row), from.data(), from.size());
   });
-  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].motion = static_cast<MotionKind>(snapshot.motions[g]);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    groups_[g].motion = snapshot.motions[g] ? groups_[g].turning : MotionKind::point;
+  }
   set_pace(snapshot.pace);
   counters_ = snapshot.counters;
   if (contacts_) contacts_->set_counters(snapshot.counters);

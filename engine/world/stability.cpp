@@ -167,8 +167,9 @@ double implicit_radius(const Row& row, double spring_h2, double damping_h, doubl
   return std::max(std::abs(stability_function(row, ends[0])), std::abs(stability_function(row, ends[1])));
 }
 
-/// Rounding in Real, for radii near 1.
-constexpr double tolerance = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+/// Rounding, for radii near 1: in Real, or of the radius itself.
+constexpr double tolerance =
+    64 * std::max(static_cast<double>(std::numeric_limits<Real>::epsilon()), std::numeric_limits<double>::epsilon());
 
 /// Largest |eigenvalue| of the step matrix in (x, v h): scaled so that entries are of one size.
 double spectral_radius(const Row& row, double spring_h2, double damping_h, double gyration_h) {

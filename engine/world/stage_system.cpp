@@ -12,7 +12,7 @@ namespace {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 /// Newton's method squares the error: after a change as small as this only rounding is left.
-constexpr Real tolerance = 64 * epsilon;
+constexpr Real tolerance = 64 * epsilon, nearly = 1024 * epsilon;
 constexpr int most_iterations = 25;
 /// Below this many unknowns a matrix is taken for full.
 constexpr int small_system = 64;
@@ -96,7 +96,7 @@ NewtonResult StageSystem::solve(const std::vector<Group>& groups, const Method& 
     ++result.iterations;
     if (!std::isfinite(result.residual)) break;
     // Where rounding of the forces themselves is larger than expected, changes stop shrinking.
-    const bool stuck = result.residual * result.residual < epsilon && 4 * result.residual > before;
+    const bool stuck = result.residual < nearly && 4 * result.residual > before;
     result.converged = result.residual <= tolerance || stuck;
     if (result.converged) break;
   }

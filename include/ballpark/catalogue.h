@@ -50,7 +50,8 @@ struct IntegratorDescription {
   int start_steps = 0;          ///< multistep: first steps, which rk4 takes
   bool symplectic = false;      ///< for forces that do not read velocity
   bool turns_velocity = false;  ///< takes forces that read velocity only to turn it, and keeps the speed in them
-  double real_limit = 0;        ///< stability: h |lambda| for y' = lambda y, lambda < 0; 0: takes no such force
+  double real_limit = 0;        ///< stability: h |lambda| for y' = lambda y, lambda < 0; 0: takes no such force;
+                                ///< infinite (null in JSON): at any step
   double imaginary_limit = 0;   ///< stability: h omega for x'' = -omega^2 x; 0: always grows
   bool implicit = false;        ///< solves for its stages, with the forces' derivatives by position and velocity
 };

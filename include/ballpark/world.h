@@ -50,7 +50,8 @@ class World {
   std::size_t body_count() const;            ///< over all copies
   std::size_t row_of(std::size_t id) const;  ///< row of a body in every view; throws std::out_of_range
   /// Names: "position", "velocity", "orientation" (w, x, y, z), "angular_momentum" (about the centre of mass, or the
-  /// pivot). Throws SceneError if the column does not exist or Real is not the world's precision.
+  /// pivot), or "body_angular_momentum" (in the body's axes, of groups that carry it so: run.rotation = "body"). Throws
+  /// SceneError if the column does not exist or Real is not the world's precision.
   template <class Real>
   View<Real> view(const std::string& column) const;
   /// A value that is equal over a group ("mass", "radius"); throws SceneError if it is a column or absent.

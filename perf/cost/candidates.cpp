@@ -75,13 +75,23 @@ std::vector<std::pair<int, int>> contacts_of(const Scene& scene, const Axes& axe
   return {{n, s}, {std::max(1, n / 3), s}, {3 * n, s}, {n, 2 * s}, {n, 4 * s}};
 }
 
+/// Has it free bodies of three moments, whose angular momentum can be in their own axes?
+bool has_own_axes(const Scene& scene) {
+  const auto unequal = [](const Vector3d& i) { return i.x() != i.y() || i.y() != i.z(); };
+  return std::none_of(scene.effects.begin(), scene.effects.end(), [](const Effect& e) { return e.kind == "pivot"; }) &&
+         std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyGroup& group) {
+           return std::any_of(group.inertia.begin(), group.inertia.end(), unequal);
+         });
+}
+
 /// How bodies turn: as the scene has it, then all other ways.
 std::vector<std::string> rotations_of(const Scene& scene, const Axes& axes) {
   if (!turns(scene)) return {""};
   if (!axes.rotations.empty()) return axes.rotations;
   std::vector<std::string> names{scene.run.rotation};
+  if (scene.run.compensated) return names;  // goes with the usual one alone
   for (const NamedDescription& rule : rotations()) {
-    if (rule.name != scene.run.rotation) names.push_back(rule.name);
+    if (rule.name != scene.run.rotation && (rule.name != "body" || has_own_axes(scene))) names.push_back(rule.name);
   }
   return names;
 }
@@ -98,7 +108,7 @@ constexpr const char* for_stiffness[] = {"backward_euler", "implicit_midpoint"};
 
 /// Is a hundredth of its duration too long a step for rk4?
 bool is_stiff(const Scene& scene) {
-  const Scene coarse = scene_with(scene, {.integrator = "rk4", .step = scene.run.duration / 100});
+  const Scene coarse = scene_with(scene, allowed(scene, {.integrator = "rk4", .step = scene.run.duration / 100}));
   return check(coarse).empty() && World(coarse).status().code == Status::Code::stability;
 }
 
@@ -177,6 +187,9 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
   }
   if (axes.integrators.empty() && axes.precisions.empty() && names.size() > enough_in_single) {
     refused.push_back("single precision of more than six integrators (--precisions single,double)");
+  }
+  if (scene.run.compensated && turns(scene)) {
+    refused.push_back("rotation other than by " + turnings.front() + ": run.compensated goes with renormalise alone");
   }
   if (axes.integrators.empty() && axes.rotations.empty() && turnings.size() > 1) {
     refused.push_back("rotation other than by " + turnings.front() + ", of more than seven integrators (--rotations)");

@@ -141,7 +141,7 @@ class Study {
   double share_of_ensembles() const { return request_.copies ? asked_share : unasked_share; }
 
   bool look_beyond_horizon() {
-    EnsembleRequest request{request_.copies.value_or(fewest_copies), request_.perturb.value_or(root_of_rounding),
+    EnsembleRequest request{request_.copies.value_or(fewest_copies), request_.perturb.value_or(0),
                             share_of_ensembles() * request_.seconds, request_.copies.has_value()};
     return add_ensemble(ground_, request, result_, [&](double fraction) { return on("ensembles", fraction); });
   }

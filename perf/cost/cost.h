@@ -19,7 +19,7 @@ struct Request {
   std::optional<double> budget;     ///< or the most accurate of at most so many seconds a simulated second
   double margin = 2;                ///< the error is to be so many times smaller
   std::optional<int> copies;        ///< of ensembles beyond the horizon; none: a few, if there is time
-  std::optional<double> perturb;    ///< relative change of their starts; none: the root of rounding
+  std::optional<double> perturb;    ///< relative change of their starts; none: as large as the path at the horizon
   Options options;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ballpark/catalogue.h"
 #include "perf/cost/choice.h"
 #include "perf/timing.h"
 
@@ -15,15 +16,21 @@ namespace {
 
 using perf::seconds_now;
 
-constexpr double for_reference = 0.4;  ///< of the time, at most
-constexpr double within_floor = 8;     ///< steps of the reference so many times longer err by less than is claimed
+constexpr double for_reference = 0.4;         ///< of the time, at most
 constexpr double patience = 2, moment = 0.5;  ///< times what was expected, and a moment [s], before a run is stopped
 constexpr double rounding = 1e-12;            ///< relative: means that differ by less do not differ
 
 bool same(const Setting& a, const Setting& b) {
   const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(x); };
-  return a.integrator == b.integrator && near(a.step, b.step) && near(a.tolerance, b.tolerance) &&
-         a.precision == b.precision && a.iterations == b.iterations && a.substeps == b.substeps;
+  return same_curve(a, b) && near(a.step, b.step) && near(a.tolerance, b.tolerance);
+}
+
+/// Steps of the finest of two runs so many times longer err by less than is claimed, which is ten times their
+/// difference: longer^p e <= 10 (2^p - 1) e at order p.
+double within_floor(const std::string& integrator) {
+  const auto row = std::find_if(integrators().begin(), integrators().end(),
+                                [&](const IntegratorDescription& each) { return each.name == integrator; });
+  return std::pow(10 * (std::pow(2, row->order) - 1), 1.0 / row->order);
 }
 
 /// Means that differ by less differ by rounding.
@@ -78,6 +85,7 @@ class Ensembles {
             const std::function<bool(double)>& go_on)
       : ground_(ground), request_(request), result_(result), go_on_(go_on), scene_(ground.scene) {
     scene_.run.duration = ground.whole;
+    if (request_.perturb == 0) request_.perturb = 1 / ground.about.horizon->growth;
   }
 
   /// False: stopped.
@@ -150,7 +158,7 @@ class Ensembles {
   std::vector<Choice> references() const {
     std::vector<Choice> list;
     const Reference& own = result_.reference;
-    for (double longer = 1; own.setting && longer <= within_floor; longer *= 2) {
+    for (double longer = 1; own.setting && longer <= within_floor(own.setting->integrator); longer *= 2) {
       Choice choice{*own.setting, stretched(own.seconds) / longer, "the reference inside the horizon"};
       choice.setting.step *= longer;
       if (longer == 1 || steps_in(scene_.run.duration, choice.setting.step) > 0) list.push_back(choice);
@@ -225,7 +233,7 @@ class Ensembles {
   }
 
   const Ground& ground_;
-  const EnsembleRequest& request_;
+  EnsembleRequest request_;
   Result& result_;
   const std::function<bool(double)>& go_on_;
   const double begin_ = seconds_now();

@@ -14,14 +14,11 @@ inline constexpr int fewest_copies = 10;
 /// Of the whole time, where a scene goes on beyond its horizon: unasked, and asked for.
 inline constexpr double unasked_share = 0.2, asked_share = 0.4;
 
-/// As large as the path when the horizon is reached.
-inline constexpr double root_of_rounding = 1e-8;
-
 struct EnsembleRequest {
   int copies = fewest_copies;
-  double perturb = root_of_rounding;  ///< relative change of each start
-  double seconds = 0;                 ///< for all of it, about
-  bool asked = false;                 ///< or done unasked
+  double perturb = 0;  ///< relative change of each start; 0: as large as the path at the horizon
+  double seconds = 0;  ///< for all of it, about
+  bool asked = false;  ///< or done unasked
 };
 
 /// What is seen of every scene. The energy change is relative: kept or not, it shows a method's drift.

@@ -42,7 +42,7 @@ Scene accurately(const Scene& scene) {
   setting.step = 0;
   setting.tolerance = 1e-10;
   setting.precision = Precision::double_;
-  const Scene accurate = scene_with(scene, setting);
+  const Scene accurate = scene_with(scene, allowed(scene, setting));
   return check(accurate).empty() ? accurate : scene;
 }
 
@@ -87,11 +87,13 @@ std::optional<Horizon> find_horizon(const Scene& scene, const Options& options, 
   }
   if (logs.back() < std::log(growth)) return std::nullopt;  // twins stay together to the end
   const auto [rate, error] = slope(times, logs);
-  Horizon horizon{last, 1 / rate, error / (rate * rate), ""};
+  Horizon horizon{last, 1 / rate, error / (rate * rate), growth, ""};
   horizon.sentence = fmt::format(
       "Chaotic: runs that start a relative {:g} apart are {:.0e} times farther apart at {:.3g} s (Lyapunov time "
-      "{:.2g} s, +- {:.1g} s). Beyond that horizon no path means anything.",
-      nudge, std::exp(logs.back()), last, horizon.lyapunov_time, horizon.uncertainty);
+      "{:.2g} s, +- {:.1g} s). {}",
+      nudge, std::exp(logs.back()), last, horizon.lyapunov_time, horizon.uncertainty,
+      growth < lost ? "Then errors of steps reach the size of the path, and no run can be their reference."
+                    : "Beyond that horizon no path means anything.");
   return horizon;
 }
 

@@ -125,8 +125,8 @@ constexpr double loose = 1e-16, tight = 1e-18;
 std::optional<ReferenceTrack> by_extrapolation(Scene scene, const Samples& samples, const Options& options,
                                                const GoOn& go_on) {
   scene.run.absolute_tolerance = 0;
-  const Setting coarse{extrapolation, 0, loose, Precision::extended},
-      fine{extrapolation, 0, tight, Precision::extended};
+  const Setting coarse = allowed(scene, {extrapolation, 0, loose, Precision::extended}),
+                fine = allowed(scene, {extrapolation, 0, tight, Precision::extended});
   const std::optional<Track> first = tracked(scene, coarse, samples, options, go_on);
   if (!first) return std::nullopt;
   const double begin = seconds_now();
@@ -148,9 +148,12 @@ Setting finest_setting(const Scene& scene) {
   setting.iterations *= 4;
   for (const char* accurate : {"dormand_prince8", "rk4"}) {
     setting.step = scene.run.duration / 100;
-    const std::string own = std::exchange(setting.integrator, accurate);
-    if (scene.contact.kind != "impulse" && check(scene_with(scene, setting)).empty()) break;
-    setting.integrator = own;
+    Setting other = setting;
+    other.integrator = accurate;
+    other = allowed(scene, other);
+    if (scene.contact.kind == "impulse" || !check(scene_with(scene, other)).empty()) continue;
+    setting = other;
+    break;
   }
   return setting;
 }

@@ -94,6 +94,7 @@ struct Reference {
 /// Errors of trajectories mean something up to `time` [s].
 struct Horizon {
   double time = 0, lyapunov_time = 0, uncertainty = 0;
+  double growth = 1;  ///< of the distance of twins until then
   std::string sentence;
 };
 

@@ -43,6 +43,13 @@ Setting setting_of(const Scene& scene) {
   return own;
 }
 
+Setting allowed(const Scene& scene, Setting setting) {
+  if (!turns(scene)) return setting;
+  if (setting.rotation.empty()) setting.rotation = scene.run.rotation;
+  if (!check(scene_with(scene, setting)).empty()) setting.rotation = usual_rotation;
+  return setting;
+}
+
 bool turns(const Scene& scene) {
   const auto has_axes = [](const Vector3d& i) { return i.x() != i.y() || i.y() != i.z(); };
   return std::any_of(scene.effects.begin(), scene.effects.end(), [](const Effect& e) { return e.kind == "pivot"; }) ||

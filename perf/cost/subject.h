@@ -15,6 +15,8 @@ namespace ballpark::cost {
 Scene scene_with(const Scene& scene, const Setting& setting);
 /// The scene's own.
 Setting setting_of(const Scene& scene);
+/// The setting, with the usual rotation where its integrator cannot take the scene's.
+Setting allowed(const Scene& scene, Setting setting);
 /// May bodies of it have orientations that change?
 bool turns(const Scene& scene);
 /// "rk4, step 0.001 s", "dormand_prince5, tolerance 1e-08, single"

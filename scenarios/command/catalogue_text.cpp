@@ -148,6 +148,11 @@ Json to_json(const EffectDescription& effect) {
           {"source", effect.source}};
 }
 
+/// A limit that there is not: null.
+Json finite_or_null(double limit) {
+  return std::isfinite(limit) ? Json(limit) : Json(nullptr);
+}
+
 Json to_json(const IntegratorDescription& integrator) {
   return {{"name", integrator.name},
           {"doc", integrator.doc},
@@ -155,9 +160,10 @@ Json to_json(const IntegratorDescription& integrator) {
           {"order", integrator.order},
           {"evaluations", integrator.evaluations},
           {"symplectic", integrator.symplectic},
+          {"turns_velocity", integrator.turns_velocity},
           {"implicit", integrator.implicit},
-          {"real_limit", integrator.real_limit},
-          {"imaginary_limit", integrator.imaginary_limit},
+          {"real_limit", finite_or_null(integrator.real_limit)},
+          {"imaginary_limit", finite_or_null(integrator.imaginary_limit)},
           {"source", integrator.source}};
 }
 

@@ -117,10 +117,12 @@ Description describe_integrator(const IntegratorDescription& row) {
        {"cost", cost_of(row)},
        {"step", row.adaptive ? "given, or chosen by a tolerance" : "given"},
        {"symplectic", row.symplectic ? "yes, for forces that do not read velocity" : "no"},
-       {"stable, decay", std::isinf(row.real_limit) ? "at any step"
-                         : row.real_limit == 0
-                             ? "not for forces that read velocity: refused"
-                             : "step * |lambda| up to " + number(row.real_limit) + " for y' = lambda y, lambda < 0"},
+       {"stable, decay",
+        std::isinf(row.real_limit) ? "at any step"
+        : row.real_limit == 0
+            ? (row.turns_velocity ? "takes forces that only turn velocity; others that read it: refused"
+                                  : "not for forces that read velocity: refused")
+            : "step * |lambda| up to " + number(row.real_limit) + " for y' = lambda y, lambda < 0"},
        {"stable, oscillation", std::isinf(row.imaginary_limit) ? "at any step"
                                : row.imaginary_limit == 0
                                    ? "never: an undamped oscillation always grows"

@@ -114,10 +114,10 @@ void add_ensemble(Page& page, const Ensemble& ensemble) {
   page.heading(
       fmt::format("Beyond the horizon: ensembles of {} runs, at t = {} s", ensemble.copies, number(ensemble.time)));
   page.paragraph(fmt::format(
-      "Starts differ by a relative {:g}, and by what the scene's seed draws. Beyond the horizon runs forget them: "
-      "means "
-      "of two settings count as independent (where runs have not parted yet, that overstates the error of their "
-      "difference). Intervals are by Student's t; sigma is the standard error of a difference (after the energy change "
+      "Starts differ by a relative {:g}, and by what the scene's seed draws. Means of two settings count as "
+      "independent; where runs remember their starts (not parted yet, or by what is conserved), that overstates the "
+      "error of their difference. Intervals are by Student's t; sigma is the standard error of a difference (after the "
+      "energy change "
       "in parentheses).",
       ensemble.perturb));
   add_reference(page, ensemble);

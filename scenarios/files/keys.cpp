@@ -67,7 +67,7 @@ Rows run_rows() {
       Row("integrator", word, "", into(&RunSettings::integrator), "The method (`ballpark list integrators`).")
           .one_of(names_of(integrators()))
           .otherwise("\"rk4\""),
-      Row("rotation", word, "", into(&RunSettings::rotation), "How an orientation is kept a rotation.")
+      Row("rotation", word, "", into(&RunSettings::rotation), "How orientations follow from spins.")
           .one_of(names_of(rotations()))
           .otherwise("\"renormalise\""),
       Row("accept", words, "", into(&RunSettings::accept), "Limits that may be exceeded; it is still reported.")

@@ -86,6 +86,9 @@ class RandomGroup {
   RandomGroup(const RandomGroup&) = delete;
   RandomGroup& operator=(const RandomGroup&) = delete;
 
+  /// As build sets it for a method.
+  void turn_apart(bool apart) { kernel.forces.turning_apart = apart; }
+
   StepGroup kernel;
   const std::deque<std::vector<Real>>& columns() const { return columns_; }
 
@@ -183,6 +186,8 @@ inline void compare(const KernelTable& kernels, const Row& row, const Method& me
     CAPTURE(kernels.target, row.name, method.errors, motion, compensated, seed, fused);
     RandomGroup one(seed, compensated), other(seed, compensated);
     const RandomGroup before(seed, compensated);
+    one.turn_apart(row.turns_velocity);
+    other.turn_apart(row.turns_velocity);
     REQUIRE(difference(one, other).empty());
     const Moved expected = step(scalar, plain, motion, fused, one.kernel);
     const Moved moved = step(kernels, method, motion, fused, other.kernel);

@@ -1,24 +1,12 @@
 // How orientations follow from spins: order, what each rule keeps, and what it is exact for.
 #include "tests/catch.h"
-#include "tests/methods/rows.h"
+#include "tests/methods/turning_scenes.h"
 
 using namespace ballpark;
 using namespace ballpark::tests;
 
 namespace {
 
-const Vector3d asymmetric(1, 2, 3), start_spin(1, 0.5, -0.7);
-
-Scene by(Scene made, const std::string& rule, const std::string& integrator) {
-  made.run.rotation = rule;
-  made.run.integrator = integrator;
-  return made;
-}
-
-/// P-R1, and its orientation at 10 s.
-Scene tumbling() {
-  return scene(rigid_body(asymmetric, start_spin), {}, 10, 0.01);
-}
 const Numbers tumbled = {0.401006595702115135L, -0.367493469174623553L, -0.583785903125753275L, 0.602773821287096871L};
 
 /// Between two orientations [rad], exact for small angles.
@@ -47,19 +35,6 @@ void has_slope(const Case& c, const Refinement& refinement) {
   INFO(c.rule << ", " << c.integrator << ": " << e[0] << ", " << e[1] << ", " << e[2] << ", " << e[3]);
   CHECK(std::abs(refinement.slope(1) - c.order) < 0.15L);
   CHECK(std::abs(refinement.slope(2) - c.order) < 0.15L);
-}
-
-/// A body with three moments that a force off its centre and a torque turn, held by a spring and by friction of the
-/// air.
-Scene loaded(bool drag) {
-  BodyGroup group = rigid_body({0.2, 0.3, 0.4}, {1, 2, -1}, {0.6, 0, 0.8, 0});
-  group.position = {{1, 0.5, 0.25}};
-  group.velocity = {{0.5, -1, 2}};
-  const Effect push{"force", {}, {{"force", Vector3d(0.3, 0.1, 0)}, {"offset", Vector3d(0, 0.1, 0.2)}}};
-  const Effect twist{"torque", {}, {{"torque", Vector3d(0.1, -0.2, 0.3)}}};
-  std::vector<Effect> effects = {gravity(), spring(4), push, twist};
-  if (drag) effects.push_back(effect("quadratic_drag", 0.1));
-  return scene(group, effects, 2, 1);
 }
 
 /// Position and orientation, held against rk4 in extended precision.
@@ -220,83 +195,4 @@ TEST_CASE("X11: a needle keeps its spin in its own axes, and loses digits of it 
   for (std::size_t c = 0; c < 3; ++c) spin[c] /= needle[static_cast<Eigen::Index>(c)];
   CHECK(std::abs(spin[0] - exact[0]) < 1e-8L);
   CHECK(largest_difference(spin, exact) < 1e-8L);
-}
-
-TEST_CASE("what a world tells of a body does not depend on the axes of its angular momentum", "[methods]") {
-  Scene made = loaded(true);
-  made.run.step = 1e-3;
-  made.bodies.push_back(ball());
-  made.bodies.back().angular_velocity = {{1, 2, 3}};
-  World space(made), own(by(made, "body", "rk4"));
-  for (World* world : {&space, &own}) {
-    world->apply_impulse(0, {1, 2, -1}, {0.1, 0, 0.2});
-    BodyState state = world->body(1);
-    state.angular_velocity = {0, 5, 0};
-    world->set(1, state);
-    world->step(500);
-  }
-  const Totals a = space.totals(), b = own.totals();
-  CHECK(std::abs(a.kinetic - b.kinetic) < 1e-10 * a.kinetic);
-  CHECK((a.angular_momentum - b.angular_momentum).norm() < 1e-10 * a.angular_momentum.norm());
-  for (std::size_t id : {0U, 1U}) {
-    CHECK((space.body(id).angular_velocity - own.body(id).angular_velocity).norm() < 1e-9);
-    CHECK((space.body(id).position - own.body(id).position).norm() < 1e-10);
-  }
-}
-
-TEST_CASE("rotation updates: same bits on both paths, for any target and after a snapshot", "[methods]") {
-  struct Way {
-    std::string rule, integrator;
-    double tolerance;
-  };
-  for (const Way& way : std::vector<Way>{{"exponential", "rk4", 0},
-                                         {"exponential", "dormand_prince5", 1e-6},
-                                         {"exponential", "pefrl", 0},
-                                         {"splitting", "velocity_verlet", 0},
-                                         {"splitting", "yoshida6", 0},
-                                         {"body", "rk4", 0},
-                                         {"body", "tsitouras5", 1e-6}}) {
-    for (Scene made : {loaded(false), pendulum(2, 2, 1)}) {
-      INFO(way.rule << ", " << way.integrator << ", " << made.bodies[0].name);
-      made = by(made, way.rule, way.integrator);
-      made.run.step = way.tolerance > 0 ? 0 : 0.02;
-      made.run.tolerance = way.tolerance;
-      std::vector<std::uint64_t> hashes;
-      for (const Path path : {Path::fused, Path::staged}) {
-        for (const NamedDescription& target : targets()) {
-          if (!target.available) continue;
-          World world(made, Options{.threads = 1, .target = target.name, .precision = {}, .path = path});
-          world.step(20);
-          const Snapshot middle = world.snapshot();
-          world.step(20);
-          hashes.push_back(world.state_hash());
-          world.restore(middle);
-          world.step(20);
-          hashes.push_back(world.state_hash());
-        }
-      }
-      for (const std::uint64_t hash : hashes) CHECK(hash == hashes[0]);
-    }
-  }
-}
-
-TEST_CASE("rotation updates that an integrator or a scene cannot have are refused", "[methods]") {
-  const auto refused = [](Scene made, const std::string& rule, const std::string& integrator) {
-    for (const Problem& problem : check(by(std::move(made), rule, integrator))) {
-      if (problem.path == "run.rotation") return problem.message;
-    }
-    return std::string();
-  };
-  for (const char* integrator : {"rk4", "ab4", "taylor2"}) {
-    CHECK(refused(tumbling(), "splitting", integrator).find("velocity_verlet") != std::string::npos);
-  }
-  for (const char* integrator : {"ab4", "taylor2"}) {
-    CHECK(refused(tumbling(), "exponential", integrator).find("explicit Runge-Kutta") != std::string::npos);
-  }
-  CHECK(refused(tumbling(), "body", "velocity_verlet").find("rk4") != std::string::npos);
-  CHECK(refused(tumbling(), "exponental", "rk4").find("exponential") != std::string::npos);
-  Scene compensated = tumbling();
-  compensated.run.compensated = true;
-  CHECK(refused(compensated, "exponential", "rk4").find("compensated") != std::string::npos);
-  CHECK(refused(tumbling(), "exponential", "rk4").empty());
 }

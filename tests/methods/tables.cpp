@@ -209,7 +209,8 @@ TEST_CASE("the catalogue tells of every row once, with its order and evaluations
     const int first = told.start_steps * (4 - told.evaluations);  // by rk4
     CHECK(world.counters().force_evaluations == static_cast<std::uint64_t>(7 * told.evaluations + first));
   }
-  CHECK(names == std::set<std::string>{"euler",
+  CHECK(names == std::set<std::string>{"boris",
+                                       "euler",
                                        "midpoint",
                                        "heun",
                                        "ralston",
@@ -268,6 +269,7 @@ TEST_CASE("stability limits are those of the methods' polynomials", "[methods]")
       {"abm4", {moulton_limit(), 0}},
       {"semi_implicit_euler", {2, 2}},
       {"velocity_verlet", {2, 2}},
+      {"boris", {0, 2}},
       {"ruth3", {0, swing_limit("ruth3")}},
       {"forest_ruth", {0, swing_limit("forest_ruth")}},
       {"yoshida4", {0, swing_limit("yoshida4")}},

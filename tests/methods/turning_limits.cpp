@@ -100,6 +100,7 @@ TEST_CASE("what is flung out by itself, against drag, is not the method's doing"
     INFO(row.name);
     Scene flung = scene(particle({1, 0, 0}), {rotating_frame({0, 0, 1}, "on"), effect("linear_drag", 1)}, 10, 0.01);
     flung.run.integrator = row.name;
+    if (!accepts(flung, row.name)) continue;  // drag
     const World world(flung);
     CHECK(world.status().sentence == "ok");
   }

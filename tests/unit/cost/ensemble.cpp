@@ -72,7 +72,7 @@ TEST_CASE("means: of a known sample, and their difference by Welch", "[cost]") {
 TEST_CASE("ensembles: copy k is that of a batch, and the same ones come again", "[cost]") {
   Scene scene = three_bodies();
   scene.run.duration = 5;
-  EnsembleRequest request;
+  EnsembleRequest request{.perturb = 1e-8};
   const auto copies = run_copies(scene, setting_of(scene), request, {}, always);
   REQUIRE(copies);
   CHECK(copies->trouble.empty());
@@ -93,7 +93,7 @@ TEST_CASE("ensembles: copy k is that of a batch, and the same ones come again", 
 
 TEST_CASE("ensembles: beyond the horizon good methods agree, one that gains energy is seen", "[cost]") {
   const Scene scene = three_bodies();
-  EnsembleRequest request;
+  EnsembleRequest request{.perturb = 1e-8};
   const Setting good{"rk4", 0.005, 0, Precision::double_}, other{"dormand_prince8", 0, 1e-10, Precision::double_};
   const auto first = run_copies(scene, good, request, {}, always),
              second = run_copies(scene, other, request, {}, always);

@@ -123,6 +123,7 @@ TEST_CASE("sweep: finer points of a curve are more accurate until rounding, and 
   Request request;
   request.seconds = 2;
   request.axes.integrators = {"euler", "rk4", "dormand_prince5"};
+  request.axes.rotations = {"renormalise"};
   request.tolerance = 1e-6;
   const auto result = cost::cost(scene, request, [](const std::string&, double) { return true; });
   REQUIRE(result);
@@ -144,6 +145,47 @@ TEST_CASE("sweep: finer points of a curve are more accurate until rounding, and 
   CHECK(result->recommended->confirmed_error == result->points[result->recommended->point].error);
   REQUIRE(result->paths.size() == 3);
   CHECK(result->paths[0].points.size() > 100);
+}
+
+TEST_CASE("sweep: how bodies turn is an axis, where they do", "[cost]") {
+  Axes axes;
+  axes.integrators = {"rk4", "velocity_verlet"};
+  axes.precisions = {Precision::double_};
+  const auto labels = [&](const char* name) {
+    std::vector<std::string> refused, found;
+    Scene scene = scenario(name);
+    scene.run.compensated = false;
+    for (const Candidate& candidate : candidates(scene, axes, 20, refused)) {
+      found.push_back(candidate.curve.label);
+      CHECK(candidate.settings.front().rotation.empty() == (std::string(name) == "oscillator"));
+    }
+    CHECK(refused.empty() == axes.rotations.empty());
+    return found;
+  };
+  using Labels = std::vector<std::string>;
+  CHECK(labels("oscillator") == Labels{"rk4", "velocity_verlet"});
+  CHECK(labels("pendulum") == Labels{"rk4", "velocity_verlet", "rk4, exponential", "velocity_verlet, exponential",
+                                     "velocity_verlet, splitting"});
+  CHECK(labels("tumbling") == Labels{"rk4", "velocity_verlet", "rk4, exponential", "velocity_verlet, exponential",
+                                     "velocity_verlet, splitting", "rk4, body"});
+  axes.rotations = {"splitting"};
+  CHECK(labels("free_top") == Labels{"velocity_verlet, splitting"});
+}
+
+TEST_CASE("a scene that turns by splitting has a reference of another family", "[cost]") {
+  Scene scene = scenario("tumbling");
+  scene.run.compensated = false;
+  scene.run.rotation = "splitting";
+  scene.run.integrator = "velocity_verlet";
+  scene.run.tolerance = 0;
+  scene.run.absolute_tolerance = 0;
+  scene.run.step = scene.run.duration / 1000;
+  GroundRequest request;
+  request.reference = "numerical";
+  const auto ground = ground_for(scene, request, always);
+  REQUIRE(ground);
+  CHECK(ground->about.reference.kind == "extrapolation in extended precision");
+  CHECK(ground->about.reference.setting->rotation == "renormalise");
 }
 
 TEST_CASE("scales: how far bodies go from their start, wherever that is", "[cost]") {

@@ -178,11 +178,13 @@ TEST_CASE("Runs: the JSON has every key, and numbers that can be read back", "[f
                           "angular_momentum",
                           "non_finite_bodies",
                           "bodies_outside",
+                          "newton_iterations",
+                          "newton_residual",
                           "warnings",
                           "expectations"}) {
     CHECK(json.contains(key));
   }
-  CHECK(json.size() == 33);
+  CHECK(json.size() == 35);
   CHECK(json.at("status").at("code") == "ok");
   CHECK(json.at("status").at("body").is_null());
   CHECK(json.at("time").get<double>() == report.time);

@@ -1,4 +1,6 @@
 // What implicit steps tell, what they refuse, and that no body's bits depend on others that do not pull at it.
+#include <algorithm>
+
 #include "tests/catch.h"
 #include "tests/determinism/body_bits.h"
 #include "tests/unit/world/made_scenes.h"
@@ -37,11 +39,15 @@ TEST_CASE("Implicit: stages that Newton's method does not find are reported with
     World world(absurd(name));
     world.step(3);
     CAPTURE(name, world.status().sentence);
-    if (world.status().code == Status::Code::ok) continue;
+    if (world.status().code == Status::Code::ok) {
+      CHECK(world.counters().newton_residual < 1e-12);
+      continue;
+    }
     ++failed;
     CHECK((world.status().code == Status::Code::unconverged || world.status().code == Status::Code::non_finite));
     CHECK(world.status().body == 1);
-    CHECK(contains(world.status().sentence, "Newton's method has not converged for body 1"));
+    CHECK(contains(world.status().sentence, "Newton's method"));
+    CHECK(contains(world.status().sentence, "for body 1"));
     CHECK(world.counters().newton_residual > 1e-9);
   }
   CHECK(failed > 0);
@@ -141,9 +147,14 @@ TEST_CASE("Implicit: balls bounce by impulses between implicit steps", "[implici
   scene.boundaries = {ground};
   scene.materials[""] = {0.5, 0};
   scene.contact.kind = "impulse";
+  scene.run.step = 1e-3;
   World world(scene);
-  world.step(300);
+  double highest = 0;  // between the first impact and the second
+  for (int n = 0; n < 700; ++n) {
+    world.step();
+    if (world.counters().impacts > 0) highest = std::max(highest, world.body(0).position.z());
+  }
   CHECK(world.status().sentence == "ok");
-  CHECK(world.counters().impacts > 0);
-  CHECK(std::abs(world.body(0).position.z() - 0.1) < 0.05);
+  const double radius = ball.radius[0], fall = 1 - radius;
+  CHECK(std::abs(highest - (radius + 0.25 * fall)) < 0.005);
 }

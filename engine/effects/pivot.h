@@ -56,9 +56,6 @@ struct PivotedMotion {
   }
 
   template <class V>
-  BALLPARK_INLINE static void begin_again(const Constants<V>&, V*) {}
-
-  template <class V>
   BALLPARK_INLINE static V spin_per_momentum(const Constants<V>& k) {
     V most = k.inverse_inertia[0];
     for (int i = 1; i < 3; ++i) most = select(k.inverse_inertia[i] > most, k.inverse_inertia[i], most);

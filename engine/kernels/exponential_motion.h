@@ -50,15 +50,6 @@ struct ExponentialMotion {
     if (s.turn[0]) store_columns(s.turn, k.row, y + quaternion);
   }
 
-  /// The orientation so far is where the next step starts.
-  template <class V>
-  BALLPARK_INLINE static void begin_again(Constants<V>& k, V* y) {
-    V whole[M::size];
-    with_quaternion(k, y, whole);
-    for (int i = 0; i < 4; ++i) k.start[i] = whole[quaternion + i];
-    for (int i = quaternion; i < size; ++i) y[i] = V(Real(0));
-  }
-
   template <class V>
   BALLPARK_INLINE static V spin_per_momentum(const Constants<V>& k) {
     return M::spin_per_momentum(k.body);

@@ -4,7 +4,6 @@
 //   Constants<V>       what is constant over a step, loaded once
 //   load, store        state between columns and registers; store also writes columns that follow from the state
 //   body               the quantities that effects read
-//   begin_again        between steps in registers: what storing and loading would do
 //   rates              y' under loads
 //   spin_per_momentum  a scale of the angular momentum
 //   acceleration, second_rates   for Taylor-2: accelerations, and y'' under the loads' own rates
@@ -103,9 +102,6 @@ struct FreeMotion {
     if constexpr (spins) store_columns(s.momentum, k.row, y + momentum);
     if constexpr (turns) store_columns(s.orientation, k.row, y + quaternion);
   }
-
-  template <class V>
-  BALLPARK_INLINE static void begin_again(const Constants<V>&, V*) {}
 
   /// An angular momentum times this is no less than the angular velocity that it may mean.
   template <class V>

@@ -30,9 +30,8 @@ struct Moved {
   Real over = 0;
 };
 
-/// Rows [first, last), first a multiple of any vector; what is left of the last vector is padding. `steps` of them: all
-/// those of a vector before the next one's.
-using FusedStep = Moved(const StepGroup&, const Method&, int steps, std::size_t first, std::size_t last);
+/// Rows [first, last), first a multiple of any vector; what is left of the last vector is padding.
+using FusedStep = Moved(const StepGroup&, const Method&, std::size_t first, std::size_t last);
 using Prepare = void(const StepGroup&, const Method&, int phase, std::size_t first, std::size_t last);
 using Evaluate = void(const StepGroup&, int phase, std::size_t first, std::size_t last);
 using Finish = Moved(const StepGroup&, const Method&, std::size_t first, std::size_t last);

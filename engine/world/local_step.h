@@ -33,25 +33,22 @@ BALLPARK_INLINE void store_state(const StepGroup& group, const Constants& c, con
   for (int i = 0; compensated && i < M::size; ++i) store(group.carry[i] + c.row, state.carry[i]);
 }
 
-/// Moves rows by move(constants, state), which is all of a step or its end, so many times. `embeds`: it may be undone,
-/// and tells its error.
+/// Moves rows by move(constants, state), which is all of a step or its end. `embeds`: it may be undone, and tells its
+/// error.
 template <class S, bool embeds, class Move>
-BALLPARK_INLINE Moved move_rows(const StepGroup& group, int steps, std::size_t first, std::size_t last, Move move) {
+BALLPARK_INLINE Moved move_rows(const StepGroup& group, std::size_t first, std::size_t last, Move move) {
   using M = typename S::Motion;
   using V = typename S::Value;
   V poison = V(Real(0)), over = V(Real(0));
   for (std::size_t row = first; row < last; row += lane_count<V>) {
-    auto c = M::template constants<V>(group.constants, row);
+    const auto c = M::template constants<V>(group.constants, row);
     S state;
     load_state(group, row, state);
     if constexpr (embeds) {
       if (group.before.velocity[0]) M::store(group.before, c, state.y);
     }
-    for (int s = 0; s < steps; ++s) {
-      if (s > 0) M::begin_again(c, state.y);
-      move(c, state);
-      state.normalise();
-    }
+    move(c, state);
+    state.normalise();
     store_state(group, c, state);
     if constexpr (embeds) {  // padding may go where no body goes
       const V zero = V(Real(0)), bodies = V(static_cast<Real>(row < group.live ? group.live - row : 0));
@@ -70,10 +67,9 @@ BALLPARK_INLINE Moved move_rows(const StepGroup& group, int steps, std::size_t f
 
 /// A whole step in registers: memory is read and written once.
 template <class F, class M, class V, bool compensated>
-BALLPARK_INLINE Moved step_rows(const StepGroup& group, const Method& method, int steps, std::size_t first,
-                                std::size_t last) {
+BALLPARK_INLINE Moved step_rows(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
   return move_rows<State<M, V, compensated>, F::embeds>(
-      group, steps, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
+      group, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
         whole_step<F>(method, c, group.forces, ColumnRates<M, V>{group.rates, c.row}, state);
       });
 }
@@ -87,13 +83,13 @@ BALLPARK_INLINE void clear(Real* const (&sums)[3], std::size_t row) {
 /// Two registers of particles at a time, unless all of them fit in one; a turning body's state fills the registers
 /// alone. `vector<n>` is the vector type of n registers, or Real.
 template <class F, class M, template <int> class Vector, bool compensated>
-static Moved fused_step(const StepGroup& group, const Method& method, int steps, std::size_t first, std::size_t last) {
+static Moved fused_step(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
   if constexpr (!M::turns && !M::spins) {
     if (last - first > lane_count<Vector<1>>) {
-      return step_rows<F, M, Vector<2>, compensated>(group, method, steps, first, last);
+      return step_rows<F, M, Vector<2>, compensated>(group, method, first, last);
     }
   }
-  return step_rows<F, M, Vector<1>, compensated>(group, method, steps, first, last);
+  return step_rows<F, M, Vector<1>, compensated>(group, method, first, last);
 }
 
 template <class F, class M, class V, bool compensated>
@@ -132,7 +128,7 @@ static void evaluate_pass(const StepGroup& group, int phase, std::size_t first, 
 template <class F, class M, class V, bool compensated>
 static Moved finish_pass(const StepGroup& group, const Method& method, std::size_t first, std::size_t last) {
   return move_rows<State<M, V, compensated>, F::embeds>(
-      group, 1, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
+      group, first, last, [&](const auto& c, auto& state) BALLPARK_INLINE_LAMBDA {
         F::finish(method, c, group.forces, ColumnRates<M, V>{group.rates, c.row}, state);
       });
 }

@@ -34,8 +34,8 @@ void World::run(std::uint64_t most_steps, double until) {
   }
 }
 
-/// How many of the next steps one kernel may take while the bodies are in registers: those of a world of one block in
-/// which nothing happens until then.
+/// How many of the next steps are kernels alone, one after the other: those of a world of one block in which nothing
+/// happens until then.
 int World::steps_at_once(std::uint64_t most) const {
   if (!fused_ || impulse_ || implicit_ || profiling_ || whole_.blocks.size() != 1) return 1;
   if (row_->family == Family::multistep) return 1;
@@ -154,7 +154,9 @@ const FamilyKernels& World::kernels_of(const Group& group, const Method& method)
 Moved World::fused_pass(const Method& method, int steps) {
   return moving_pass(whole_, "fused_step", [&](const Group& group, const Block& block) {
     FusedStep* kernel = kernels_of(group, method).fused[static_cast<int>(group.motion)];
-    return kernel(group.kernel, method, steps, block.first, block.last);
+    Moved moved = kernel(group.kernel, method, block.first, block.last);
+    for (int s = 1; s < steps; ++s) moved.finite = kernel(group.kernel, method, block.first, block.last).finite;
+    return moved;
   });
 }
 

@@ -165,7 +165,7 @@ inline std::string difference(const RandomGroup& a, const RandomGroup& b) {
 /// A step of all rows on the path; returns what the kernel tells.
 inline Moved step(const KernelTable& table, const Method& method, int motion, bool fused, const StepGroup& group) {
   const FamilyKernels& kernels = table.family(method.family, group.carry != nullptr);
-  if (fused) return kernels.fused[motion](group, method, 1, 0, rows);
+  if (fused) return kernels.fused[motion](group, method, 0, rows);
   for (int phase = 0; phase < method.phases; ++phase) {
     kernels.prepare[motion](group, method, phase, 0, rows);
     table.evaluate[motion](group, phase, 0, rows);

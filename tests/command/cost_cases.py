@@ -39,7 +39,7 @@ kind = "mutual_gravity"
 strength = 1.0
 softening = 0.3
 """
-FEW = ["--integrators", "euler,rk4,dormand_prince5", "--seconds", "1"]
+FEW = ["--integrators", "euler,rk4,dormand_prince5", "--seconds", "4"]
 
 
 def exact(t):
@@ -162,7 +162,7 @@ class Cost(CommandTest):
 
     def test_beyond_the_horizon_means_are_compared(self):
         three = self.write("three.toml", THREE)
-        words = ["cost", three, "--integrators", "rk4,dormand_prince8", "--seconds", "4", "--copies", "11"]
+        words = ["cost", three, "--integrators", "rk4,dormand_prince8", "--seconds", "15", "--copies", "11"]
         result = self.json(*words)
         ensemble = result["ensemble"]
         self.assertLess(result["duration"], result["horizon"]["time"])
@@ -181,7 +181,7 @@ class Cost(CommandTest):
     def test_no_setting_is_tried_twice(self):
         for own in (["run.tolerance=1e-8"], ["run.step=0.1"]):
             words = [word for key in ["run.integrator=dormand_prince5", *own] for word in ("--set", key)]
-            points = self.json("cost", self.swing, *words, "--seconds", "1")["points"]
+            points = self.json("cost", self.swing, *words, "--seconds", "3")["points"]
             settings = [(p["integrator"], p["step"], p["tolerance"], p["precision"]) for p in points]
             self.assertEqual(len(settings), len(set(settings)))
 

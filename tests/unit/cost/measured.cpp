@@ -121,7 +121,7 @@ TEST_CASE("sweep: finer points of a curve are more accurate until rounding, and 
           "[cost]") {
   const Scene scene = scenario("pendulum");
   Request request;
-  request.seconds = 2;
+  request.seconds = 10;
   request.axes.integrators = {"euler", "rk4", "dormand_prince5"};
   request.axes.rotations = {"renormalise"};
   request.tolerance = 1e-6;
@@ -219,7 +219,7 @@ TEST_CASE("bodies that only turn: the two finest runs go on until the angle has 
   Scene scene = scenario("free_top");
   GroundRequest request;
   request.reference = "runs";
-  request.seconds = 2;
+  request.seconds = 8;
   const auto ground = ground_for(scene, request, always);
   REQUIRE(ground);
   CHECK(ground->measure.quantity == Quantity::orientation);
@@ -248,7 +248,7 @@ TEST_CASE("horizon: runs of a break part, those of an orbit do not", "[cost]") {
 
 TEST_CASE("observed orders: each method's own on an orbit, less on bodies that turn for splittings", "[cost]") {
   Request request;
-  request.seconds = 3;
+  request.seconds = 8;
   request.axes.integrators = {"euler", "velocity_verlet", "rk4", "forest_ruth"};
   Scene orbit = scenario("kepler");
   orbit.run.duration = 2;

@@ -313,7 +313,7 @@ void Builder::choose_path() {
   if (!world_.users_.empty()) {
     world_.fused_ = false;
     world_.path_reason_ = "user effects run as passes of their own";
-  } else if (find_row(scene_.run.integrator)->family == Family::implicit_runge_kutta) {
+  } else if (world_.row_->family == Family::implicit_runge_kutta) {
     world_.fused_ = true;
     world_.path_reason_ = "each body, or set of bodies that pull at each other, is solved for its stages at once";
   } else if (const Effect* effect = pair_effect_of(scene_)) {

@@ -76,12 +76,9 @@ std::vector<std::pair<int, int>> contacts_of(const Scene& scene, const Axes& axe
 }
 
 /// Has it free bodies of three moments, whose angular momentum can be in their own axes?
-bool has_own_axes(const Scene& scene) {
-  const auto unequal = [](const Vector3d& i) { return i.x() != i.y() || i.y() != i.z(); };
+bool may_keep_own_axes(const Scene& scene) {
   return std::none_of(scene.effects.begin(), scene.effects.end(), [](const Effect& e) { return e.kind == "pivot"; }) &&
-         std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyGroup& group) {
-           return std::any_of(group.inertia.begin(), group.inertia.end(), unequal);
-         });
+         std::any_of(scene.bodies.begin(), scene.bodies.end(), has_own_axes);
 }
 
 /// How bodies turn: as the scene has it, then all other ways.
@@ -91,7 +88,8 @@ std::vector<std::string> rotations_of(const Scene& scene, const Axes& axes) {
   std::vector<std::string> names{scene.run.rotation};
   if (scene.run.compensated) return names;  // goes with the usual one alone
   for (const NamedDescription& rule : rotations()) {
-    if (rule.name != scene.run.rotation && (rule.name != "body" || has_own_axes(scene))) names.push_back(rule.name);
+    if (rule.name != scene.run.rotation && (rule.name != "body" || may_keep_own_axes(scene)))
+      names.push_back(rule.name);
   }
   return names;
 }

@@ -50,12 +50,16 @@ Setting allowed(const Scene& scene, Setting setting) {
   return setting;
 }
 
+bool has_own_axes(const BodyGroup& group) {
+  return std::any_of(group.inertia.begin(), group.inertia.end(),
+                     [](const Vector3d& i) { return i.x() != i.y() || i.y() != i.z(); });
+}
+
 bool turns(const Scene& scene) {
-  const auto has_axes = [](const Vector3d& i) { return i.x() != i.y() || i.y() != i.z(); };
   return std::any_of(scene.effects.begin(), scene.effects.end(), [](const Effect& e) { return e.kind == "pivot"; }) ||
-         std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyGroup& group) {
+         std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyGroup& group) {
            return !group.orientation.empty() || (group.generate && group.generate->random_orientation) ||
-                  std::any_of(group.inertia.begin(), group.inertia.end(), has_axes);
+                  has_own_axes(group);
          });
 }
 

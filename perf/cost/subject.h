@@ -17,6 +17,8 @@ Scene scene_with(const Scene& scene, const Setting& setting);
 Setting setting_of(const Scene& scene);
 /// The setting, with the usual rotation where its integrator cannot take the scene's.
 Setting allowed(const Scene& scene, Setting setting);
+/// Are moments of inertia unequal?
+bool has_own_axes(const BodyGroup& group);
 /// May bodies of it have orientations that change?
 bool turns(const Scene& scene);
 /// "rk4, step 0.001 s", "dormand_prince5, tolerance 1e-08, single"

@@ -103,8 +103,8 @@ TEST_CASE("an implicit row takes two iterations for a step of a linear scene", "
 TEST_CASE("a chain of stiff bonds at a hundred times the step that explicit rows take", "[physics]") {
   const double stiffness = 1e7, damping = 30;
   const auto limit = [&](const char* integrator) {
-    for (const StepLimitReport& limit : World(chain(10, stiffness, damping, 1e-7, integrator)).explain().step_limits) {
-      if (limit.of == "bonds") return limit.largest;
+    for (const StepLimitReport& row : World(chain(10, stiffness, damping, 1e-7, integrator)).explain().step_limits) {
+      if (row.of == "bonds") return row.largest;
     }
     return 0.0;
   };

@@ -75,6 +75,14 @@ void World::advance_to(double t, std::uint64_t most_steps) {
   world_->advance_to(t, most_steps);
 }
 
+bool World::approach(double t, double end, std::uint64_t most_steps) {
+  return world_->approach(t, end, most_steps);
+}
+
+void World::look_ahead(double t, const std::function<void()>& look) {
+  world_->look_ahead(t, look);
+}
+
 double World::time() const {
   return world_->time();
 }

@@ -33,7 +33,7 @@ void World::adaptive_step(double limit) {
   if (stuck_) return;
   due_events();
   if (next_event_ < events_.size()) limit = std::min(limit, events_[next_event_].at);
-  if (control_.step == 0) control_.step = first_step();
+  planned_step();
   keep_carries();
   for (bool finite = true;;) {
     if (!(control_.step > least_step(time()))) return get_stuck(finite);
@@ -106,6 +106,13 @@ void World::get_stuck(bool finite) {
   status_ = {Status::Code::accuracy,
              "no step is small enough for run.tolerance: the run ends at " + std::to_string(time()) + " s", 0,
              counters_.steps, time()};
+}
+
+/// What is tried next.
+double World::planned_step() {
+  if (control_.step > 0) return control_.step;
+  due_events();  // what acts from the start decides how it begins
+  return control_.step = first_step();
 }
 
 /// 0.01 |y| / |y'| of the body that changes fastest. (HNW II.4, Starting step size, its first guess.)

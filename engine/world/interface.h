@@ -9,6 +9,7 @@
 #include "ballpark/report.h"
 #include "ballpark/state.h"
 #include "ballpark/user_effect.h"
+#include "engine/core/function_ref.h"
 
 namespace ballpark {
 
@@ -22,6 +23,8 @@ class WorldInterface {
   virtual ~WorldInterface() = default;
   virtual void step(std::uint64_t n) = 0;
   virtual void advance_to(double t, std::uint64_t most_steps) = 0;
+  virtual bool approach(double t, double end, std::uint64_t most_steps) = 0;
+  virtual void look_ahead(double t, FunctionRef<void()> look) = 0;
   virtual double step_size() const = 0;
   virtual double time() const = 0;
   virtual const Status& status() const = 0;

@@ -58,11 +58,16 @@ void World::many_steps(int n) {
   counters_.steps += static_cast<std::uint64_t>(n);
 }
 
-/// begin -> events of this step, each at its time -> smooth motion in between -> finish
 void World::one_step() {
+  part_of_step(step_);
+  ++counters_.steps;
+}
+
+/// begin -> events of this part, each at its time -> smooth motion in between -> finish
+void World::part_of_step(double length) {
   const double start = time(), margin = on_the_step * step_;
   double done = 0;
-  for (; next_event_ < events_.size() && events_[next_event_].at < start + step_ - margin; ++next_event_) {
+  for (; next_event_ < events_.size() && events_[next_event_].at < start + length - margin; ++next_event_) {
     const Event& event = events_[next_event_];
     const double offset = event.at - start;
     if (offset > done + margin) {
@@ -71,8 +76,7 @@ void World::one_step() {
     }
     take_effect(event);
   }
-  advance(start + done, step_ - done);
-  ++counters_.steps;
+  advance(start + done, length - done);
 }
 
 /// What forces were before says nothing of what they are now.

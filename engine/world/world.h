@@ -98,8 +98,12 @@ class World : public WorldInterface {
 
   void step(std::uint64_t n) override;
   void advance_to(double t, std::uint64_t most_steps) override;
+  bool approach(double t, double end, std::uint64_t most_steps) override;
+  void look_ahead(double t, FunctionRef<void()> look) override;
   double step_size() const override { return adaptive_ ? control_.step : step_; }
-  double time() const override { return adaptive_ ? elapsed_.time : static_cast<double>(counters_.steps) * step_; }
+  double time() const override {
+    return adaptive_ ? elapsed_.time : static_cast<double>(counters_.steps) * step_ + part_;
+  }
   const Status& status() const override { return status_; }
   Counters counters() const override;
   std::size_t body_count() const override { return per_copy_ * copies_; }
@@ -133,6 +137,7 @@ class World : public WorldInterface {
   int steps_at_once(std::uint64_t most) const;
   void many_steps(int n);
   void one_step();
+  void part_of_step(double length);
   void advance(double from, double h);
   void take_effect(const Event& event);
   Moved smooth_motion(const Method& method, double from);
@@ -165,6 +170,9 @@ class World : public WorldInterface {
   void sum_forces(const Part& part, const Method& method, int phase, double time);
   void run_users(const Group& group, const Block& block, double time);
 
+  // look_ahead.cpp
+  void go_aside(double t);
+
   // adaptive.cpp
   void adaptive_step(double limit);
   void due_events();
@@ -172,6 +180,7 @@ class World : public WorldInterface {
   void keep_carries();
   void take_back();
   void get_stuck(bool finite);
+  double planned_step();
   double first_step();
   void evaluate_start();
 
@@ -221,6 +230,7 @@ class World : public WorldInterface {
   PenaltyStep* penalty_ = nullptr;
   std::unique_ptr<ImplicitStep> implicit_;  ///< none: the method is explicit
   double step_ = 0, duration_ = 0;
+  double part_ = 0;  ///< of a step, where a look has gone [s]
   bool fused_ = true;
   std::string path_reason_;
   std::size_t per_copy_ = 0, copies_ = 1;

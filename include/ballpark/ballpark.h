@@ -7,4 +7,5 @@
 #include "ballpark/scene.h"
 #include "ballpark/state.h"
 #include "ballpark/user_effect.h"
+#include "ballpark/watch.h"
 #include "ballpark/world.h"

@@ -42,6 +42,14 @@ class World {
   /// Whole steps while the next one does not pass t (to 1e-9 of a step); the remainder is kept for the next call. With
   /// a tolerance: to t exactly, unless no step is small enough (Status::Code::accuracy). No more than `most_steps`.
   void advance_to(double t, std::uint64_t most_steps = std::numeric_limits<std::uint64_t>::max());
+  /// Steps of a run to `end`, as advance_to(end) takes them, while the next one does not pass t. True once it would, or
+  /// t is reached: then look_ahead(t) shows the world at t. False after `most_steps`, or where no step is small enough.
+  bool approach(double t, double end, std::uint64_t most_steps = std::numeric_limits<std::uint64_t>::max());
+  /// Calls `look`, for which the world is as it will be at t (for one where no step is small enough: where it ends). It
+  /// gets there aside, by steps of the same method, and returns with every bit: the run takes its steps as if nobody
+  /// had looked. Costs these steps, mostly one, and a copy of the state. Throws SceneError if t is over, and what look
+  /// does.
+  void look_ahead(double t, const std::function<void()>& look);
   double time() const;  ///< t0 + n h [s], never a running sum; with a tolerance, the compensated sum of steps
   std::uint64_t steps() const;
   const Status& status() const;

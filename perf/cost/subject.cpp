@@ -114,20 +114,22 @@ double Subject::run() {
 }
 
 bool Subject::follow(const Samples& samples, Track& track, const GoOn& go_on) {
-  const std::uint64_t steps = steps_at_once(world_.body_count());
+  const std::uint64_t most = steps_at_once(world_.body_count());
   world_.restore(begin_);
   for (std::size_t k = 0; k < samples.times.size(); ++k) {
     const double t = samples.times[k];
-    const std::uint64_t share = steps_ * (k + 1);
-    if (steps_ > 0 && share % samples.times.size() != 0) continue;  // between two steps
-    const std::uint64_t goal = share / samples.times.size();
-    while (steps_ > 0 ? world_.steps() < goal : world_.time() < t) {
-      const double before = world_.time();
-      steps_ > 0 ? world_.step(std::min(steps, goal - world_.steps())) : world_.advance_to(t, steps);
+    for (bool there = false; !there;) {
+      const std::uint64_t before = world_.steps();
+      there = world_.approach(t, scene_.run.duration, most);
       if (!go_on()) return false;
-      if (world_.time() == before) return true;  // no step is small enough
+      if (!there && world_.steps() == before) return true;  // no step is small enough
     }
-    track.look(world_, samples, k);
+    bool reached = false;
+    world_.look_ahead(t, [&] {
+      reached = std::abs(world_.time() - t) <= 1e-9 * t;
+      if (reached) track.look(world_, samples, k);
+    });
+    if (!reached) world_.advance_to(t);  // as far as it goes, and why no farther
   }
   return true;
 }

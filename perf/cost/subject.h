@@ -40,8 +40,7 @@ class Subject {
 
   /// The whole run as `ballpark run` does it, from the start: wall seconds of stepping alone.
   double run();
-  /// The same run, looked at on the way; with a tolerance it lands on the times, which are steps that `run` may not
-  /// take. False if it was stopped.
+  /// The same run, looked at on the way, between its steps if need be. False if it was stopped.
   bool follow(const Samples& samples, Track& track, const GoOn& go_on);
   const World& world() const { return world_; }
   const Totals& start() const { return totals_; }

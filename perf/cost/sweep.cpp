@@ -120,15 +120,8 @@ Point measured_point(const Ground& ground, const Setting& setting, const GoOn& g
   point.rejected_steps = counters.rejected_steps;
   point.force_evaluations = counters.force_evaluations;
   point.state_hash = fmt::format("{:016x}", subject.world().state_hash());
-  if (point.trouble.empty() && setting.step > 0 && looked_at != subject.world().state_hash()) {
+  if (point.trouble.empty() && looked_at != subject.world().state_hash()) {
     point.trouble = "the run ended in other bits than the one looked at";
-  }
-  Track end(ground.samples);  // that of the run that is timed
-  end.look(subject.world(), ground.samples, ground.samples.times.size() - 1);
-  const Errors straight = errors_of(end, ground.reference.track, subject.start());
-  for (std::size_t q = 0; q < quantity_count; ++q) {
-    point.errors.of[q].end = straight.of[q].end;
-    point.errors.of[q].maximum = std::max(point.errors.of[q].maximum, straight.of[q].end);
   }
   point.error = ground.error_of(point.errors);
   point.claimed = point.error >= ground.about.floor;

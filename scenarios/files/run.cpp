@@ -44,12 +44,13 @@ class Driver {
   /// On the axis of the pace.
   double now() const { return pace_.by_steps() ? static_cast<double>(world_.steps()) : world_.time(); }
 
-  /// False if the run was interrupted on the way, or can go no farther.
+  /// To the place, or where the next step would pass it. False if the run was interrupted on the way, or can go no
+  /// farther.
   bool advance(double place) {
-    while (now() < place) {
-      const double before = now();
-      walk(place);
-      if (now() == before) return false;
+    for (bool there = false; !there;) {
+      const std::uint64_t before = world_.steps();
+      there = walk(place);
+      if (!there && world_.steps() == before) return false;
       if (!hooks_.progress || seconds_since(last_progress_) < 0.1) continue;
       last_progress_ = Clock::now();
       interrupted_ = !hooks_.progress(now() / pace_.end());
@@ -62,19 +63,23 @@ class Driver {
   double seconds() const { return seconds_; }
 
  private:
-  void walk(double place) {
+  /// Some steps: are they all?
+  bool walk(double place) {
     constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
     const std::uint64_t steps = hooks_.progress ? chunk_ : no_limit;
     const Clock::time_point start = Clock::now();
+    bool there;
     if (pace_.by_steps()) {
       world_.step(std::min(steps, static_cast<std::uint64_t>(place) - world_.steps()));
+      there = now() >= place;
     } else {
-      world_.advance_to(place, steps);
+      there = world_.approach(place, pace_.end(), steps);
     }
     const double taken = seconds_since(start);
     seconds_ += taken;
     if (taken < 0.02 && chunk_ < no_limit / 2) chunk_ *= 2;
     if (taken > 0.1) chunk_ = std::max<std::uint64_t>(1, chunk_ / 2);
+    return there;
   }
 
   World& world_;
@@ -101,9 +106,11 @@ class Run {
   }
 
   RunReport finish() {
-    do {
-      serve();
-    } while (driver_.now() < pace_.end() && driver_.advance(next_stop()));
+    serve();
+    while (driver_.now() < pace_.end()) {
+      const double place = next_stop();
+      if (!driver_.advance(place) || !serve_at(place)) break;
+    }
     RunReport last = report();
     last.state_hash = fmt::format("{:016x}", world_.state_hash());
     last.verdicts = judge_.verdicts();
@@ -148,6 +155,21 @@ class Run {
       duty.action();
       duty.occasions.pass();
     }
+  }
+
+  /// What is due at the place, which may be between two steps. False if the run does not get there.
+  bool serve_at(double place) {
+    if (driver_.now() == place) {
+      serve();
+      return true;
+    }
+    bool reached = false;
+    world_.look_ahead(place, [&] {
+      reached = driver_.now() == place;
+      if (reached) serve();
+    });
+    if (!reached) world_.advance_to(place);  // as far as it goes, and why no farther
+    return reached;
   }
 
   double next_stop() const {

@@ -249,4 +249,7 @@ TEST_CASE("Runs: with a tolerance, outputs and expectations have their very time
   CHECK(without_progress.time == 2);
   hooks.progress = [](double) { return true; };
   CHECK(run_text(text.substr(0, text.rfind("[[expect]]")), hooks).state_hash == without_progress.state_hash);
+  const RunReport unseen = run_text(text.substr(0, text.find("[[output]]")));
+  CHECK(unseen.state_hash == without_progress.state_hash);
+  CHECK(unseen.counters.steps == without_progress.counters.steps);
 }

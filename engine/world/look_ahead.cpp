@@ -1,0 +1,72 @@
+// The world as it will be at a time between two steps of the run, which takes them as if nobody looked. The way there
+// is gone aside, by parts of steps of the same method: as accurate as the run, whatever the method, the forces and the
+// way that bodies turn, for the price of a step a look.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/world/world.h"
+
+namespace ballpark::BALLPARK_PRECISION {
+
+namespace {
+
+/// Times this close to the end of a step, in steps, are on it.
+constexpr double on_the_step = 1e-9;
+
+}  // namespace
+
+bool World::approach(double t, double end, std::uint64_t most_steps) {
+  t = std::min(t, end);
+  if (!adaptive_) {
+    advance_to(t, most_steps);
+    return time() + step_ * (1 - on_the_step) > t;
+  }
+  for (std::uint64_t i = 0; i < most_steps && !stuck_; ++i) {
+    const double left = elapsed_.until(t);
+    if (left <= 0 || (t < end && planned_step() > left)) return true;
+    run(1, end);
+  }
+  return elapsed_.until(t) <= 0;
+}
+
+void World::look_ahead(double t, FunctionRef<void()> look) {
+  if (std::abs(t - time()) <= on_the_step * step_) return look();  // without a step of the run's: at this very time
+  if (!(t > time())) {
+    throw SceneError("look_ahead",
+                     fmt::format("{} s is before {} s, where the world is; expected a later time", t, time()));
+  }
+  const Snapshot now = snapshot();
+  const std::size_t next_event = next_event_;
+  const Stiffness watched = watched_stiffness_;
+  const bool profiling = std::exchange(profiling_, false);
+  const double part = part_;
+  const auto come_back = [&] {
+    part_ = part;
+    restore(now);
+    next_event_ = next_event;
+    watched_stiffness_ = watched;
+    profiling_ = profiling;
+  };
+  try {
+    go_aside(t);
+    look();
+  } catch (...) {
+    come_back();
+    throw;
+  }
+  come_back();
+}
+
+void World::go_aside(double t) {
+  if (adaptive_) return run(std::numeric_limits<std::uint64_t>::max(), t);
+  step(static_cast<std::uint64_t>((t - time()) / step_ + on_the_step));
+  const double rest = t - time();
+  if (!(rest > on_the_step * step_)) return;
+  part_of_step(rest);
+  part_ += rest;
+}
+
+}  // namespace ballpark::BALLPARK_PRECISION

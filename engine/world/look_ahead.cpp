@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/world/world.h"
@@ -15,6 +16,8 @@ namespace {
 
 /// Times this close to the end of a step, in steps, are on it.
 constexpr double on_the_step = 1e-9;
+/// And as close as rounding lets a time be told, where steps are tiny.
+constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -22,7 +25,7 @@ bool World::approach(double t, double end, std::uint64_t most_steps) {
   t = std::min(t, end);
   if (!adaptive_) {
     advance_to(t, most_steps);
-    return time() + step_ * (1 - on_the_step) > t;
+    return time() + step_ * (1 - on_the_step) > t * (1 - rounding);
   }
   for (std::uint64_t i = 0; i < most_steps && !stuck_; ++i) {
     const double left = elapsed_.until(t);
@@ -33,7 +36,8 @@ bool World::approach(double t, double end, std::uint64_t most_steps) {
 }
 
 void World::look_ahead(double t, FunctionRef<void()> look) {
-  if (std::abs(t - time()) <= on_the_step * step_) return look();  // without a step of the run's: at this very time
+  const double near = adaptive_ ? 0 : std::max(on_the_step * step_, rounding * t);
+  if (std::abs(t - time()) <= near) return look();
   if (!(t > time())) {
     throw SceneError("look_ahead",
                      fmt::format("{} s is before {} s, where the world is; expected a later time", t, time()));

@@ -147,6 +147,18 @@ TEST_CASE("a look backwards is refused, and one that throws leaves the world as 
   }
 }
 
+TEST_CASE("a look at the end of many tiny steps is at the last of them", "[physics]") {
+  std::uint64_t steps = 6'000'000;
+  while (static_cast<double>(steps) * (1.2 / static_cast<double>(steps)) <= 1.2) ++steps;
+  World world(swing("euler", 1.2 / static_cast<double>(steps)));
+  world.step(steps);
+  REQUIRE(world.time() > 1.2);  // by rounding
+  REQUIRE(world.approach(1.2, 6));
+  bool seen = false;
+  world.look_ahead(1.2, [&] { seen = true; });
+  CHECK(seen);
+}
+
 TEST_CASE("a look beyond where no step is small enough sees where the run ends", "[physics]") {
   Scene made = scene(particle({1, 0, 0}), {attraction()}, 10, 1, "dormand_prince5");
   made.run.step = 0;

@@ -55,25 +55,14 @@ std::string label_of(const Setting& setting, bool adaptive, bool pair) {
   if (setting.precision == Precision::single_) label += ", single";
   if (setting.precision == Precision::extended) label += ", extended";
   if (!setting.rotation.empty() && setting.rotation != usual_rotation) label += ", " + setting.rotation;
-  if (setting.iterations > 0) label += fmt::format(", {} x {}", setting.iterations, setting.substeps);
+  const ContactChoice& contact = setting.contact;
+  if (contact.kind == "impulse") label += fmt::format(", {} x {}", contact.iterations, contact.substeps);
+  if (contact.kind == "penalty") label += ", " + text(contact);
   return label;
 }
 
 /// Single precision tells by a few integrators what it gives: rounding is the same for all.
 constexpr std::size_t enough_in_single = 6;
-
-/// Iterations and substeps: the scene's, and more and fewer of either.
-std::vector<std::pair<int, int>> contacts_of(const Scene& scene, const Axes& axes) {
-  if (scene.contact.kind != "impulse") return {{0, 0}};
-  if (!axes.contacts.empty()) {
-    std::vector<std::pair<int, int>> once = axes.contacts;
-    std::sort(once.begin(), once.end());
-    once.erase(std::unique(once.begin(), once.end()), once.end());
-    return once;
-  }
-  const int n = scene.contact.iterations, s = scene.contact.substeps;
-  return {{n, s}, {std::max(1, n / 3), s}, {3 * n, s}, {n, 2 * s}, {n, 4 * s}};
-}
 
 /// Has it free bodies of three moments, whose angular momentum can be in their own axes?
 bool may_keep_own_axes(const Scene& scene) {
@@ -99,7 +88,10 @@ constexpr const char* enough_to_turn[] = {"rk4",   "velocity_verlet", "dormand_p
                                           "euler", "pefrl",           "yoshida6"};
 
 /// Impulse contacts are of first order whatever moves the bodies between them: a few integrators tell all.
-constexpr const char* enough_for_contacts[] = {"semi_implicit_euler", "velocity_verlet", "rk4", "euler"};
+constexpr const char* enough_for_impulse[] = {"semi_implicit_euler", "velocity_verlet", "rk4", "euler"};
+
+/// Of penalty contacts in place of the scene's own: with fixed steps and steps that shorten where bodies touch.
+constexpr const char* enough_for_penalty[] = {"velocity_verlet", "rk4", "dormand_prince5"};
 
 /// For scenes whose stiffness limits the steps of explicit methods. (Others cost them several evaluations a step.)
 constexpr const char* for_stiffness[] = {"backward_euler", "implicit_midpoint"};
@@ -110,13 +102,17 @@ bool is_stiff(const Scene& scene) {
   return check(coarse).empty() && World(coarse).status().code == Status::Code::stability;
 }
 
-std::vector<std::string> ranked_integrators(const Scene& scene) {
+std::vector<std::string> ranked_integrators(const Scene& scene, const std::string& contact) {
   std::vector<std::string> names{scene.run.integrator};
   const auto add = [&](const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
-  if (scene.contact.kind == "impulse") {
-    for (const char* name : enough_for_contacts) add(name);
+  if (contact == "impulse") {
+    for (const char* name : enough_for_impulse) add(name);
+    return names;
+  }
+  if (contact != scene.contact.kind) {
+    for (const char* name : enough_for_penalty) add(name);
     return names;
   }
   if (is_stiff(scene)) {
@@ -132,10 +128,15 @@ std::vector<std::string> ranked_integrators(const Scene& scene) {
 std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::size_t sample_count,
                                   std::vector<std::string>& refused) {
   std::vector<Candidate> list;
-  const auto names = axes.integrators.empty() ? ranked_integrators(scene) : axes.integrators;
   const auto precisions =
       axes.precisions.empty() ? std::vector{Precision::double_, Precision::single_} : axes.precisions;
-  const auto contacts = contacts_of(scene, axes);
+  const auto contacts = axes.contacts.empty() ? std::vector{setting_of(scene).contact} : axes.contacts;
+  const std::string& main_kind = contacts.front().kind;
+  std::map<std::string, std::vector<std::string>> names_for;  // kinds of contacts
+  for (const ContactChoice& contact : contacts) {
+    if (names_for.count(contact.kind) > 0) continue;
+    names_for[contact.kind] = axes.integrators.empty() ? ranked_integrators(scene, contact.kind) : axes.integrators;
+  }
   const auto turnings = rotations_of(scene, axes);
   std::map<std::string, std::string> reasons;  // and whom they refuse
   const auto add = [&](Setting setting, bool adaptive) {
@@ -154,8 +155,9 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
     std::erase_if(candidate.settings, [&](const Setting& each) { return !check(scene_with(scene, each)).empty(); });
     if (!candidate.settings.empty()) return list.push_back(std::move(candidate));
     const std::string why = problems.front().message;
-    if (setting.precision != precisions.front() || setting.iterations != contacts.front().first) return;
-    if (setting.substeps != contacts.front().second || setting.rotation != turnings.front()) return;
+    const auto alike = [&](const ContactChoice& contact) { return contact.kind == setting.contact.kind; };
+    const bool first_contact = *std::find_if(contacts.begin(), contacts.end(), alike) == setting.contact;
+    if (setting.precision != precisions.front() || setting.rotation != turnings.front() || !first_contact) return;
     std::string& names_so_far = reasons[why.starts_with(row.name) ? why.substr(row.name.size() + 1) : why];
     names_so_far += (names_so_far.empty() ? "" : ", ") + candidate.curve.label;
   };
@@ -167,23 +169,28 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
   const std::vector<std::string> some(std::begin(enough_to_turn), std::end(enough_to_turn));
   for (const Precision precision : precisions) {
     const bool chosen = !axes.integrators.empty() || !axes.precisions.empty() || precision == Precision::double_;
-    for (const auto& [iterations, substeps] : contacts) {
+    for (const ContactChoice& contact : contacts) {
+      if (!chosen && contact.kind != main_kind) continue;
+      const std::vector<std::string>& names = names_for[contact.kind];
       for (std::size_t i = 0; i < (chosen ? names.size() : std::min(names.size(), enough_in_single)); ++i) {
-        const std::string& name = names[i];
-        add_paces({name, 0, 0, precision, iterations, substeps, turnings.front()});
+        add_paces({names[i], 0, 0, precision, contact, turnings.front()});
       }
     }
     for (std::size_t r = 1; r < turnings.size() && chosen; ++r) {
-      const auto& few = axes.integrators.empty() ? some : names;
-      const auto [iterations, substeps] = contacts.front();
-      for (const std::string& name : few) add_paces({name, 0, 0, precision, iterations, substeps, turnings[r]});
+      const auto& few = axes.integrators.empty() ? some : axes.integrators;
+      for (const std::string& name : few) add_paces({name, 0, 0, precision, contacts.front(), turnings[r]});
     }
   }
   for (const auto& [why, whom] : reasons) refused.push_back(whom + ": " + why);
-  if (axes.integrators.empty() && scene.contact.kind == "impulse") {
+  if (axes.integrators.empty() && names_for.count("impulse") > 0) {
     refused.push_back("more integrators: impulse contacts are of first order under all of them (--integrators)");
   }
-  if (axes.integrators.empty() && axes.precisions.empty() && names.size() > enough_in_single) {
+  for (const auto& [kind, names] : names_for) {
+    if (kind == main_kind || !axes.integrators.empty() || !axes.precisions.empty()) continue;
+    refused.push_back(
+        fmt::format("single precision, and more integrators, under {} contacts (--contacts {})", kind, kind));
+  }
+  if (axes.integrators.empty() && axes.precisions.empty() && names_for[main_kind].size() > enough_in_single) {
     refused.push_back("single precision of more than six integrators (--precisions single,double)");
   }
   if (scene.run.compensated && turns(scene)) {

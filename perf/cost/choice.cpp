@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+
+#include "perf/cost/subject.h"
 
 namespace ballpark::cost {
 
@@ -131,6 +134,23 @@ std::string comparison(const Result& result, const std::string& cheap, const std
   if (!fast || !slow) return "";
   return fmt::format("at {:.0e} {} {} takes {:.3g} times as long as {}", low, result.measure_unit, dear, *slow / *fast,
                      cheap);
+}
+
+std::vector<std::string> formulations(const Result& result) {
+  std::map<std::string, const Point*> nearest;
+  for (const Point& point : result.points) {
+    if (!counts(point) || point.setting.contact.kind.empty()) continue;
+    const Point*& best = nearest[point.setting.contact.kind];
+    if (!best || point.error < best->error) best = &point;
+  }
+  std::vector<std::string> list;
+  for (const auto& [kind, point] : nearest) {
+    if (nearest.size() == 1) break;
+    list.push_back(fmt::format("{} contacts come as near as {:.1e} {}: {}, in {}", kind,
+                               std::max(point->error, result.floor), result.measure_unit, text(point->setting),
+                               time_text(point->seconds.minimum)));
+  }
+  return list;
 }
 
 std::vector<std::size_t> accurate_enough(const Result& result, double tolerance, double margin) {

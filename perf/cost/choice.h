@@ -14,6 +14,9 @@ std::vector<std::string> crossovers(const Result& result);
 /// One curve beside another at the smallest error that both were measured at; "" if there is none.
 std::string comparison(const Result& result, const std::string& cheap, const std::string& dear);
 
+/// How near each formulation of contacts comes to the reference, in sentences; none where one alone was tried.
+std::vector<std::string> formulations(const Result& result);
+
 /// Indices of the settings whose error is at most `tolerance` / `margin`, the fastest first.
 std::vector<std::size_t> accurate_enough(const Result& result, double tolerance, double margin);
 /// Indices of the settings whose run takes at most so many seconds, the most accurate first.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "perf/cost/choice.h"
+#include "perf/cost/contacts.h"
 #include "perf/cost/ensemble.h"
 #include "perf/timing.h"
 
@@ -34,6 +35,7 @@ class Study {
     result_.crossovers = crossovers(result_);
     const std::string lecture = comparison(result_, "rk4", "euler");
     if (!lecture.empty()) result_.crossovers.push_back(lecture);
+    for (const std::string& nearest : formulations(result_)) result_.crossovers.push_back(nearest);
     add_paths(ground_, result_, [&] { return on("confirming", 1); });
     if (!look_beyond_horizon()) return std::nullopt;
     return std::move(result_);
@@ -44,8 +46,10 @@ class Study {
   double taken() const { return seconds_now() - begin_; }
 
   bool run_sweep() {
-    std::vector<Candidate> list =
-        candidates(ground_.scene, request_.axes, ground_.samples.times.size(), result_.left_out);
+    Axes axes = request_.axes;
+    axes.contacts = contacts_to_try(ground_, axes.contacts, result_);
+    if (axes.contacts.empty()) return true;
+    std::vector<Candidate> list = candidates(ground_.scene, axes, ground_.samples.times.size(), result_.left_out);
     if (list.empty()) return true;
     add_own(list);
     const Point probe = measured_point(ground_, list.front().settings.front(), [&] { return on("sweep", 0); });

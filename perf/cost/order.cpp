@@ -87,9 +87,7 @@ std::optional<OrderStudy> observed_orders(const Scene& scene, const Request& req
     for (const IntegratorDescription& row : integrators()) axes.integrators.push_back(row.name);
   }
   if (axes.rotations.empty()) axes.rotations = {ground->scene.run.rotation};
-  if (ground->scene.contact.kind == "impulse") {
-    axes.contacts = {{ground->scene.contact.iterations, ground->scene.contact.substeps}};
-  }
+  axes.contacts = {setting_of(ground->scene).contact};
   const std::vector<Candidate> list = candidates(ground->scene, axes, 1, study.about.left_out);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const GoOn go_on = [&] { return progress("sweep", static_cast<double>(i) / static_cast<double>(list.size())); };

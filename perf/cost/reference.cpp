@@ -145,7 +145,7 @@ Setting finest_setting(const Scene& scene) {
   Setting setting = setting_of(scene);
   setting.tolerance = 0;
   setting.precision = Precision::double_;
-  setting.iterations *= 4;
+  setting.contact.iterations *= 4;
   for (const char* accurate : {"dormand_prince8", "rk4"}) {
     setting.step = scene.run.duration / 100;
     Setting other = setting;

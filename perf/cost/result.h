@@ -15,14 +15,23 @@ namespace ballpark::cost {
 /// Not named where a setting is told.
 inline constexpr const char* usual_rotation = "renormalise";
 
+/// How bodies touch.
+struct ContactChoice {
+  std::string kind = {};             ///< of the formulation; "": they do not, or as the scene has it
+  int iterations = 0, substeps = 0;  ///< of impulse contacts, else 0
+  double stiffness = 0;              ///< of penalty contacts [N/m], else 0
+
+  bool operator==(const ContactChoice&) const = default;
+};
+
 /// One way to run a scene.
 struct Setting {
   std::string integrator;
   double step = 0;       ///< [s]; 0: as `tolerance` allows
   double tolerance = 0;  ///< 0: the step is given
   Precision precision = Precision::double_;
-  int iterations = 0, substeps = 0;  ///< of impulse contacts; 0 where there are none
-  std::string rotation = {};         ///< how bodies turn; "" where none does
+  ContactChoice contact = {};
+  std::string rotation = {};  ///< how bodies turn; "" where none does
 
   bool operator==(const Setting&) const = default;
 };
@@ -146,8 +155,9 @@ struct Result {
   std::string which = "maximum";      ///< of the quantity's distances: "end", "maximum" or "rms"
   std::string measure, measure_unit;  ///< "largest position error along the path, of all bodies", "m"
   Reference reference;
-  double floor = 0;    ///< no error below this is claimed: ten times the reference's own
-  double ceiling = 0;  ///< larger errors are no answer: a tenth of how far things go
+  double floor = 0;                  ///< no error below this is claimed: ten times the reference's own
+  double ceiling = 0;                ///< larger errors are no answer: a tenth of how far things go
+  std::vector<std::string> remarks;  ///< what else errors hold, and what was taken for it
   std::optional<Horizon> horizon;
   std::optional<Ensemble> ensemble;
   std::vector<Curve> curves;

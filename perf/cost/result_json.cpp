@@ -22,13 +22,18 @@ Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
 
+Json contact_json(const ContactChoice& contact) {
+  if (contact.kind.empty()) return nullptr;
+  if (contact.kind == "penalty") return {{"kind", contact.kind}, {"stiffness", contact.stiffness}};
+  return {{"kind", contact.kind}, {"iterations", contact.iterations}, {"substeps", contact.substeps}};
+}
+
 void add_setting(Json& json, const Setting& setting) {
   json["integrator"] = setting.integrator;
   json["step"] = positive(setting.step);
   json["tolerance"] = positive(setting.tolerance);
   json["precision"] = word(setting.precision);
-  json["contact"] = nullptr;
-  if (setting.iterations > 0) json["contact"] = {{"iterations", setting.iterations}, {"substeps", setting.substeps}};
+  json["contact"] = contact_json(setting.contact);
   json["rotation"] = text_or_null(setting.rotation);
 }
 
@@ -178,6 +183,7 @@ Json to_json(const Result& result) {
                        {"scale", by_quantity(reference.scale)},
                        {"floor", result.floor},
                        {"ceiling", result.ceiling}};
+  json["remarks"] = result.remarks;
   json["horizon"] = nullptr;
   if (result.horizon) {
     json["horizon"] = {{"time", result.horizon->time},
@@ -200,9 +206,8 @@ Json to_json(const Result& result) {
 
 std::string to_csv(const Result& result) {
   std::string csv =
-      "integrator,step,tolerance,precision,iterations,substeps,rotation,error,claimed,pareto,seconds_min,seconds_"
-      "median,"
-      "seconds_max,runs,steps,rejected_steps,force_evaluations";
+      "integrator,step,tolerance,precision,contact,iterations,substeps,stiffness,rotation,error,claimed,pareto,"
+      "seconds_min,seconds_median,seconds_max,runs,steps,rejected_steps,force_evaluations";
   for (std::size_t q = 0; q < quantity_count; ++q) {
     const char* quantity = name(static_cast<Quantity>(q));
     csv += fmt::format(",{0}_end,{0}_maximum,{0}_rms", quantity);
@@ -210,10 +215,11 @@ std::string to_csv(const Result& result) {
   csv += ",energy,momentum,angular_momentum,quaternion_norm,penetration,state_hash,trouble\n";
   for (const Point& p : result.points) {
     const Setting& s = p.setting;
-    csv += fmt::format("{},{:.17g},{:.17g},{},{},{},{},{:.17g},{:d},{:d},{:.9g},{:.9g},{:.9g},{},{},{},{}",
-                       s.integrator, s.step, s.tolerance, word(s.precision), s.iterations, s.substeps, s.rotation,
-                       p.error, p.claimed, p.front, p.seconds.minimum, p.seconds.median, p.seconds.maximum,
-                       p.seconds.runs, p.steps, p.rejected_steps, p.force_evaluations);
+    const ContactChoice& c = s.contact;
+    csv += fmt::format("{},{:.17g},{:.17g},{},{},{},{},{:.17g},{},{:.17g},{:d},{:d},{:.9g},{:.9g},{:.9g},{},{},{},{}",
+                       s.integrator, s.step, s.tolerance, word(s.precision), c.kind, c.iterations, c.substeps,
+                       c.stiffness, s.rotation, p.error, p.claimed, p.front, p.seconds.minimum, p.seconds.median,
+                       p.seconds.maximum, p.seconds.runs, p.steps, p.rejected_steps, p.force_evaluations);
     for (const Distance& d : p.errors.of) csv += fmt::format(",{:.17g},{:.17g},{:.17g}", d.end, d.maximum, d.rms);
     const Errors& e = p.errors;
     csv += fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{}\n", e.energy, e.momentum, e.angular_momentum,

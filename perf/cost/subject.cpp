@@ -18,6 +18,23 @@ Options options_for(Options options, const Setting& setting) {
   return options;
 }
 
+/// Settings of one formulation mean nothing to the other, but for the margin.
+void set_contact(ContactSettings& contact, const ContactChoice& choice) {
+  if (choice.kind.empty()) return;
+  if (contact.kind != choice.kind) {
+    const double margin = contact.margin;
+    contact = {};
+    contact.kind = choice.kind;
+    contact.margin = margin;
+  }
+  if (choice.kind == "impulse") {
+    contact.iterations = choice.iterations;
+    contact.substeps = choice.substeps;
+  } else {
+    contact.stiffness = choice.stiffness;
+  }
+}
+
 }  // namespace
 
 Scene scene_with(const Scene& scene, const Setting& setting) {
@@ -28,17 +45,15 @@ Scene scene_with(const Scene& scene, const Setting& setting) {
   if (setting.tolerance == 0) changed.run.absolute_tolerance = 0;
   changed.run.precision = setting.precision;
   if (!setting.rotation.empty()) changed.run.rotation = setting.rotation;
-  if (setting.substeps > 0) changed.contact.substeps = setting.substeps;
-  if (setting.iterations > 0) changed.contact.iterations = setting.iterations;
+  set_contact(changed.contact, setting.contact);
   return changed;
 }
 
 Setting setting_of(const Scene& scene) {
   Setting own{scene.run.integrator, scene.run.step, scene.run.tolerance, scene.run.precision};
-  if (scene.contact.kind == "impulse") {
-    own.iterations = scene.contact.iterations;
-    own.substeps = scene.contact.substeps;
-  }
+  const ContactSettings& contact = scene.contact;
+  if (contact.kind == "impulse") own.contact = {contact.kind, contact.iterations, contact.substeps};
+  if (contact.kind == "penalty") own.contact = {.kind = contact.kind, .stiffness = contact.stiffness};
   if (turns(scene)) own.rotation = scene.run.rotation;
   return own;
 }
@@ -77,8 +92,13 @@ std::string text(const Setting& setting) {
   if (setting.precision == Precision::single_) words += ", single";
   if (setting.precision == Precision::extended) words += ", extended";
   if (!setting.rotation.empty() && setting.rotation != usual_rotation) words += ", rotation by " + setting.rotation;
-  if (setting.iterations > 0) words += fmt::format(", {} iterations x {}", setting.iterations, setting.substeps);
+  if (!setting.contact.kind.empty()) words += ", " + text(setting.contact);
   return words;
+}
+
+std::string text(const ContactChoice& contact) {
+  if (contact.kind == "penalty") return fmt::format("penalty {:.6g} N/m", contact.stiffness);
+  return fmt::format("{} iterations x {}", contact.iterations, contact.substeps);
 }
 
 std::uint64_t steps_at_once(std::size_t bodies) {

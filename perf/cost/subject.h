@@ -23,6 +23,8 @@ bool has_own_axes(const BodyGroup& group);
 bool turns(const Scene& scene);
 /// "rk4, step 0.001 s", "dormand_prince5, tolerance 1e-08, single"
 std::string text(const Setting& setting);
+/// "12 iterations x 4", "penalty 1e+06 N/m"
+std::string text(const ContactChoice& contact);
 /// "49.4 us"
 std::string time_text(double seconds);
 /// Whole steps of the setting in the duration; 0: it has none, or they do not fill it.

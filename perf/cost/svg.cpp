@@ -36,6 +36,7 @@ double draw_head(Canvas& canvas, const Result& result) {
   y += 3;
   if (!result.doc.empty()) paragraph(result.doc, dark, "");
   if (!result.reference.kind.empty()) paragraph(reference_text(result), medium, "");
+  for (const std::string& remark : result.remarks) paragraph(remark, medium, "");
   if (result.horizon && !result.horizon->sentence.empty()) paragraph(result.horizon->sentence, medium, "");
   std::string setup = fmt::format("{} s simulated", number(result.duration));
   if (result.compared < result.bodies)

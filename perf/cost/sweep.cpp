@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "perf/cost/contacts.h"
 #include "perf/timing.h"
 
 namespace ballpark::cost {
@@ -20,6 +21,8 @@ using perf::seconds_now;
 constexpr double gain = 0.8;
 /// Points that gain nothing are kept: one shows where rounding begins.
 constexpr int idle_points = 1;
+/// And before a curve is given up that solves other equations than the scene, whose difference it has met.
+constexpr int most_idle = 3;
 /// Of each setting, before it is timed: one is looked at, one is not.
 constexpr double runs_to_check = 3;
 /// Curves that a sentence names.
@@ -57,6 +60,7 @@ class Walk {
       if (counts) idle = error < gain * best ? 0 : idle + 1;
       if (counts) best = std::min(best, error);
       if (best < small_ && idle > idle_points) break;
+      if (idle > most_idle && !same_equations(ground_.scene, setting.contact)) break;
     }
     result_.curves.push_back(std::move(curve));
     return true;

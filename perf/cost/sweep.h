@@ -15,8 +15,8 @@ struct Axes {
   std::vector<std::string> integrators;
   std::vector<double> steps, tolerances;  ///< [s]; either: no other pace
   std::vector<Precision> precisions;
-  std::vector<std::pair<int, int>> contacts;  ///< iterations and substeps of impulse contacts
-  std::vector<std::string> rotations;         ///< of scenes in which bodies turn
+  std::vector<ContactChoice> contacts;  ///< of scenes with contacts; asked for: without numbers, the usual ones
+  std::vector<std::string> rotations;   ///< of scenes in which bodies turn
 };
 
 /// A curve to be tried: its settings from coarse to fine.
@@ -24,7 +24,8 @@ struct Candidate {
   Curve curve;
   std::vector<Setting> settings;
 };
-/// Curves that the scene takes, those that serve most scenes first, and sentences on those that it refuses.
+/// Curves that the scene takes (of contacts: those of the axes as they are, or the scene's own), those that serve most
+/// scenes first, and sentences on those that it refuses.
 std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::size_t look_count,
                                   std::vector<std::string>& refused);
 

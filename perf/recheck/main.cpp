@@ -44,18 +44,34 @@ class Rerun {
   std::string text() const {
     const std::string pace = scene_.run.step > 0 ? fmt::format("step {:g} s", scene_.run.step)
                                                  : fmt::format("tolerance {:g}", scene_.run.tolerance);
-    return fmt::format("{}, {}, {}, {}", scene_.run.integrator, pace, point_["precision"].get<std::string>(),
-                       scene_.run.rotation);
+    return fmt::format("{}, {}, {}, {}{}", scene_.run.integrator, pace, point_["precision"].get<std::string>(),
+                       scene_.run.rotation, point_["contact"].is_null() ? "" : ", " + point_["contact"].dump());
   }
   double error() const { return point_["error"]["value"]; }
 
  private:
+  static void touch(ballpark::ContactSettings& contact, const json& choice) {
+    if (const std::string kind = choice["kind"]; contact.kind != kind) {
+      const double margin = contact.margin;
+      contact = {};
+      contact.kind = kind;
+      contact.margin = margin;
+    }
+    if (contact.kind == "penalty") {
+      contact.stiffness = choice["stiffness"];
+    } else {
+      contact.iterations = choice["iterations"];
+      contact.substeps = choice["substeps"];
+    }
+  }
+
   static ballpark::Scene with(ballpark::Scene scene, const json& point) {
     scene.run.integrator = point["integrator"];
     scene.run.step = point["step"].is_null() ? 0 : point["step"].get<double>();
     scene.run.tolerance = point["tolerance"].is_null() ? 0 : point["tolerance"].get<double>();
     scene.run.precision = point["precision"] == "single" ? ballpark::Precision::single_ : ballpark::Precision::double_;
     if (!point["rotation"].is_null()) scene.run.rotation = point["rotation"];
+    if (!point["contact"].is_null()) touch(scene.contact, point["contact"]);
     return scene;
   }
 

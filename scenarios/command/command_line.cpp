@@ -49,7 +49,9 @@ constexpr Option cost_options[] = {
     {"--precisions", "LIST", "of single, double, extended (default: single,double)", &Arguments::precisions},
     {"--rotations", "LIST", "of renormalise, exponential, splitting, body, where bodies turn (default: all)",
      &Arguments::rotations},
-    {"--contacts", "LIST", "iterations x substeps of impulse contacts, for example 12x1,12x4",
+    {"--contacts", "LIST",
+     "of impulse, penalty, iterations x substeps (12x4) and penalty:STIFFNESS [N/m], where bodies touch (default: "
+     "both)",
      &Arguments::axis_contacts},
     {"--error", "E",
      "what an error is: position, velocity, orientation or spin, and .maximum along the path, .rms or "

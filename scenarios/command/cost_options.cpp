@@ -46,17 +46,27 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
   return numbers;
 }
 
-/// "12x1,12x4": iterations x substeps.
-std::vector<std::pair<int, int>> contacts_of(const std::string& text) {
-  std::vector<std::pair<int, int>> list;
-  for (const std::string& word : split(text, ',')) {
-    const std::vector<std::string> parts = split(word, 'x');
-    if (parts.size() != 2) {
-      throw UsageError(fmt::format("--contacts: '{}' is not iterations x substeps, for example 12x4", word));
-    }
-    list.emplace_back(static_cast<int>(whole_number("--contacts", parts[0], 1, 10000)),
-                      static_cast<int>(whole_number("--contacts", parts[1], 1, 10000)));
+/// "impulse", "penalty", "12x4": impulse contacts of so many iterations x substeps, "penalty:1e6": of that stiffness.
+cost::ContactChoice contact_of(const std::string& word) {
+  if (word == "impulse" || word == "penalty") return {.kind = word};
+  const std::string option = "--contacts";
+  if (const std::vector<std::string> parts = split(word, ':'); parts.size() == 2 && parts[0] == "penalty") {
+    return {.kind = parts[0], .stiffness = real_number(option, parts[1], false)};
   }
+  const std::vector<std::string> parts = split(word, 'x');
+  if (parts.size() != 2 || word.find_first_not_of("0123456789x") != std::string::npos) {
+    throw UsageError(
+        fmt::format("{}: '{}' is no choice of contacts; expected impulse, penalty, iterations x substeps of "
+                    "impulse contacts (12x4), or penalty with its stiffness in N/m (penalty:1e6)",
+                    option, word));
+  }
+  return {"impulse", static_cast<int>(whole_number(option, parts[0], 1, 10000)),
+          static_cast<int>(whole_number(option, parts[1], 1, 10000))};
+}
+
+std::vector<cost::ContactChoice> contacts_of(const std::string& text) {
+  std::vector<cost::ContactChoice> list;
+  for (const std::string& word : split(text, ',')) list.push_back(contact_of(word));
   return list;
 }
 
@@ -99,7 +109,7 @@ cost::Axes axes_of(const Arguments& arguments, const Scene& scene) {
     axes.rotations = words_of("--rotations", *arguments.rotations, "rotation", names);
   }
   if (arguments.axis_contacts) {
-    if (scene.contact.kind != "impulse") throw UsageError("--contacts: this scene has no impulse contacts");
+    if (scene.contact.kind.empty()) throw UsageError("--contacts: this scene has no contacts");
     axes.contacts = contacts_of(*arguments.axis_contacts);
   }
   return axes;

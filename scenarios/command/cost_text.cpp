@@ -37,6 +37,7 @@ void add_ground(Page& page, const cost::Result& result) {
                                              error_text(result.floor))},
                {"machine", fmt::format("{}, {}", result.machine,
                                        counted(static_cast<std::uint64_t>(result.threads), "thread", "threads"))}});
+  for (const std::string& remark : result.remarks) page.paragraph(remark);
   if (result.horizon) page.paragraph(result.horizon->sentence);
 }
 
@@ -152,8 +153,7 @@ void add_prices(Page& page, const Result& result) {
     std::string of_euler = "-";  // with the same contacts
     for (const Price& other : prices) {
       const cost::Setting& euler = other.point->setting;
-      const bool alike = euler.iterations == setting.iterations && euler.substeps == setting.substeps &&
-                         euler.rotation == setting.rotation;
+      const bool alike = euler.contact == setting.contact && euler.rotation == setting.rotation;
       if (euler.integrator == "euler" && alike) of_euler = fmt::format("{:.2f}", price.seconds() / other.seconds());
     }
     const auto steps = static_cast<double>(price.point->steps);

@@ -98,6 +98,32 @@ void put(SceneText& text, const std::string& table, const std::string& neighbour
   text.has(table, key) ? text.replace(table, key, key, value) : text.add(table, neighbour, key, value);
 }
 
+/// The formulation, without the other's settings, and its own where they differ.
+void put_contact(SceneText& text, const ContactSettings& own, const cost::ContactChoice& choice) {
+  if (choice.kind.empty()) return;
+  const bool other = choice.kind != own.kind;
+  const ContactSettings like = other ? ContactSettings{} : own;
+  if (other) {
+    text.replace("contact", "kind", "kind", '"' + choice.kind + '"');
+    for (const char* key : {"substeps", "iterations", "relax_iterations", "restitution_threshold", "stiffness",
+                            "tangential_stiffness", "pull"}) {
+      if (text.has("contact", key)) text.remove("contact", key);
+    }
+  }
+  if (choice.kind == "penalty") {
+    if (choice.stiffness != like.stiffness) {
+      put(text, "contact", "kind", "stiffness", fmt::format("{}", choice.stiffness));
+    }
+    return;
+  }
+  if (choice.iterations != like.iterations) {
+    put(text, "contact", "kind", "iterations", fmt::format("{}", choice.iterations));
+  }
+  if (choice.substeps != like.substeps) {
+    put(text, "contact", "kind", "substeps", fmt::format("{}", choice.substeps));
+  }
+}
+
 }  // namespace
 
 std::string with_setting(const std::string& text, const scenes::SceneFile& file, const cost::Setting& setting) {
@@ -118,14 +144,7 @@ std::string with_setting(const std::string& text, const scenes::SceneFile& file,
   if (!setting.rotation.empty() && setting.rotation != file.scene.run.rotation) {
     put(edited, "run", "duration", "rotation", '"' + setting.rotation + '"');
   }
-  if (setting.iterations > 0) {
-    if (setting.iterations != file.scene.contact.iterations) {
-      put(edited, "contact", "kind", "iterations", fmt::format("{}", setting.iterations));
-    }
-    if (setting.substeps != file.scene.contact.substeps) {
-      put(edited, "contact", "kind", "substeps", fmt::format("{}", setting.substeps));
-    }
-  }
+  put_contact(edited, file.scene.contact, setting.contact);
   std::string changed = edited.text();
   try {
     if (cost::setting_of(scenes::parse(changed, file.path).scene) == setting) return changed;

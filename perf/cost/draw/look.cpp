@@ -47,7 +47,7 @@ double rank(const Result& result, const Curve& curve) {
 std::string name_without_precision(const Curve& curve) {
   for (const char* ending : {", single", ", double", ", extended"}) {
     const std::size_t at = curve.label.rfind(ending);
-    if (at != std::string::npos) return curve.label.substr(0, at);
+    if (at != std::string::npos) return std::string(curve.label).erase(at, std::string(ending).size());
   }
   return curve.label;
 }
@@ -125,8 +125,9 @@ std::string setting_text(const Setting& s) {
   if (s.tolerance > 0) text += ", tolerance " + number(s.tolerance);
   if (s.precision != Precision::double_) text += s.precision == Precision::single_ ? ", single" : ", extended";
   if (!s.rotation.empty() && s.rotation != usual_rotation) text += ", " + s.rotation;
-  if (s.iterations > 0) text += fmt::format(", {} iterations", s.iterations);
-  if (s.substeps > 1) text += fmt::format(", {} substeps", s.substeps);
+  if (s.contact.kind == "penalty") text += ", penalty " + number(s.contact.stiffness) + " N/m";
+  if (s.contact.iterations > 0) text += fmt::format(", {} iterations", s.contact.iterations);
+  if (s.contact.substeps > 1) text += fmt::format(", {} substeps", s.contact.substeps);
   return text;
 }
 

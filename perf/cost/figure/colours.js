@@ -6,7 +6,7 @@ export const grey = "var(--grey)";
 const palette = [1, 2, 3, 4, 5, 6, 7, 8].map((i) => `var(--colour-${i})`);
 const others = ["var(--colour-9)", "var(--colour-10)"];
 /// What curves that differ by their precision alone have in common: they share a colour.
-export const nameOf = (curve) => curve.label.replace(/, (single|double|extended)$/, "");
+export const nameOf = (curve) => curve.label.replace(/, (single|double|extended)(?=,|$)/, "");
 
 /// How a curve ranks for a colour, the less the better, as in the still picture: those of the front first, then the
 /// scene's own, then what is near the front.

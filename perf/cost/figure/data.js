@@ -118,6 +118,7 @@ export function settingText(p) {
 
 export function contactText(contact) {
   if (!contact) return "";
+  if (contact.kind === "penalty") return `penalty, ${number(contact.stiffness)} N/m`;
   return `${contact.iterations} iterations, ${contact.substeps} substep${contact.substeps === 1 ? "" : "s"}`;
 }
 

@@ -65,6 +65,7 @@ function head() {
       `, ${result.threads} thread${result.threads === 1 ? "" : "s"}`,
   );
   fact("Machine", result.machine);
+  fact("Contacts", result.remarks?.join(" "));
   fact("Horizon", result.horizon?.sentence);
   make(facts, "dt", {}, "Command");
   make(make(facts, "dd"), "code", {}, result.command);

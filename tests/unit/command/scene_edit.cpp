@@ -58,8 +58,24 @@ TEST_CASE("contact settings are written where they differ", "[cost]") {
   const std::string text =
       "[run]\nduration = 1.0\nstep = 0.5\n[contact]\nkind = \"impulse\"\niterations = 12\n[[bodies]]\nshape = "
       "\"sphere\"\nradius = 0.1\nmass = 1.0\nposition = [[1.0, 0.0, 0.0]]\n";
-  const std::string changed = edited(text, {"rk4", 0.5, 0, Precision::double_, 4, 2});
+  const std::string changed = edited(text, {"rk4", 0.5, 0, Precision::double_, {"impulse", 4, 2}});
   CHECK(changed.find("kind = \"impulse\"\nsubsteps = 2\niterations = 4\n") != std::string::npos);
+}
+
+TEST_CASE("the other formulation of contacts is written without what it does not have", "[cost]") {
+  const std::string head = "[run]\nduration = 1.0\nintegrator = \"rk4\"\nstep = 0.5\n[contact]\n",
+                    tail =
+                        "margin = 0.5\n[[bodies]]\nshape = \"sphere\"\nradius = 0.1\nmass = 1.0\nposition = [[1.0, "
+                        "0.0, 0.0]]\n";
+  const std::string hard = head + "kind = \"impulse\"\niterations = 4\nrelax_iterations = 2\n" + tail,
+                    soft = head + "kind = \"penalty\"\nstiffness = 1500\n" + tail;
+  cost::Setting setting = by_step("rk4", 0.5);
+  setting.contact = {.kind = "penalty", .stiffness = 1500};
+  CHECK(edited(hard, setting) == soft);
+  setting.contact.stiffness = 0.1;
+  CHECK(edited(soft, setting) == head + "kind = \"penalty\"\nstiffness = 0.1\n" + tail);
+  setting.contact = {"impulse", 12, 3};
+  CHECK(edited(soft, setting) == head + "kind = \"impulse\"\nsubsteps = 3\n" + tail);
 }
 
 TEST_CASE("line ends stay as they are, and so does a last line without one", "[cost]") {

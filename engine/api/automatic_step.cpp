@@ -13,6 +13,8 @@ namespace {
 /// Of the largest stable step. What is merely stable is not yet accurate; explicit discrete-element codes take 0.1 to
 /// 0.2 of it.
 constexpr double safety = 0.1;
+/// Of the duration: a step at which limits are asked for, which do not depend on it. Long ones may be refused.
+constexpr double short_enough = 1e-9;
 
 /// The largest stable step of all that has one; 0 if something has none, infinity if nothing needs one.
 StepLimitReport tightest(const Explanation& explanation) {
@@ -30,7 +32,7 @@ StepLimitReport tightest(const Explanation& explanation) {
 double automatic_step(const Scene& scene) {
   Scene any_step = scene;
   any_step.run.automatic_step = false;
-  any_step.run.step = scene.run.duration > 0 ? scene.run.duration : 1;
+  any_step.run.step = short_enough * (scene.run.duration > 0 ? scene.run.duration : 1);
   const StepLimitReport least = tightest(World(any_step, {.threads = 1}).explain());
   if (std::isinf(least.largest)) {
     const auto row = std::find_if(integrators().begin(), integrators().end(),

@@ -93,6 +93,7 @@ void Builder::build() {
   add_implicit();
   add_events();
   add_contacts();
+  check_iteration();
 }
 
 void Builder::check_options() {
@@ -123,9 +124,6 @@ void Builder::check_options() {
                                   [&](const auto& known) { return known.name == scene_.run.integrator; });
     if (user.reads_velocity && row != integrators().end() && blind(*row)) {
       refuse("run.integrator", needs_blind_forces(*row, "user effect \"" + user.name + "\""));
-    }
-    if (row != integrators().end() && row->implicit) {
-      refuse("run.integrator", needs_derivatives(*row, "user effect \"" + user.name + "\""));
     }
     if (scene_.run.integrator == "taylor2") {
       refuse("run.integrator", "taylor2 needs the time derivative of every force, which user effect \"" + user.name +
@@ -159,7 +157,7 @@ void Builder::choose_method() {
     world_.method_ = world_.unit_;
     return;
   }
-  world_.method_ = method_for(*world_.row_, world_.step_, world_.rotation_);
+  world_.method_ = world_.method_over(world_.step_);
   if (world_.row_->family != Family::multistep) return;
   world_.starter_ = method_for(*find_row(starter_name), world_.step_);
   world_.starter_.family = Family::explicit_runge_kutta;  // which leaves its first rates
@@ -310,10 +308,16 @@ void Builder::add_events() {
 }
 
 void Builder::choose_path() {
+  const bool implicit = world_.row_->family == Family::implicit_runge_kutta;
+  if (implicit) {
+    world_.not_differentiated_ = world_.users_.empty()
+                                     ? without_derivatives(scene_, world_.row_->phases)
+                                     : "user effect \"" + world_.users_.front().name + "\" gives no derivatives";
+  }
   if (!world_.users_.empty()) {
     world_.fused_ = false;
     world_.path_reason_ = "user effects run as passes of their own";
-  } else if (world_.row_->family == Family::implicit_runge_kutta) {
+  } else if (implicit && world_.not_differentiated_.empty()) {
     world_.fused_ = true;
     world_.path_reason_ = "each body, or set of bodies that pull at each other, is solved for its stages at once";
   } else if (const Effect* effect = pair_effect_of(scene_)) {

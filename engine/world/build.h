@@ -43,6 +43,7 @@ class Builder {
   void add_scratch(Group& group);
   void add_blocks();
   void add_implicit();
+  void check_iteration() const;
   void add_parts();
   void add_events();
   // build_pairs.cpp

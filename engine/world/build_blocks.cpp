@@ -25,6 +25,11 @@ void Builder::add_blocks() {
 
 void Builder::add_implicit() {
   if (world_.row_->family != Family::implicit_runge_kutta) return;
+  if (!world_.not_differentiated_.empty()) {
+    const bool coupled = !world_.pair_systems_.empty() || scene_.contact.kind == "penalty";
+    world_.fixed_point_ = std::make_unique<FixedPoint>(world_.groups_, world_.copies_, coupled);
+    return;
+  }
   world_.implicit_ =
       std::make_unique<ImplicitStep>(*world_.row_, world_.groups_, world_.pair_systems_, block_length,
                                      [this](const Group& group, std::size_t row) { return world_.id_of(group, row); });

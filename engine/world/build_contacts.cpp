@@ -77,7 +77,7 @@ void Builder::choose_impulse() {
   world_.impulse_ = made.get();
   const ContactSettings& contact = scene_.contact;
   made->substeps = contact.substeps;
-  world_.contact_method_ = method_for(*world_.row_, world_.step_ / contact.substeps, world_.rotation_);
+  world_.contact_method_ = world_.method_over(world_.step_ / contact.substeps);
   ImpulseSettings& settings = made->solver.settings;
   settings.substeps = contact.substeps;
   settings.iterations = contact.iterations;

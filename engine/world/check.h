@@ -55,8 +55,8 @@ void check_integrator(const Scene& scene, Problems& problems);
 /// Does the method lose its order where a force reads velocity, and how that is said.
 bool blind(const IntegratorDescription& row);
 std::string needs_blind_forces(const IntegratorDescription& row, const std::string& reader);
-/// How it is said that an implicit method lacks a force's derivatives.
-std::string needs_derivatives(const IntegratorDescription& row, const std::string& force);
+/// Why an implicit method of so many stages cannot use derivatives of the scene's own forces: "" if it can.
+std::string without_derivatives(const Scene& scene, int stages);
 void check_bodies(const Scene& scene, Problems& problems);
 void check_effects(const Scene& scene, Problems& problems);
 void check_contacts(const Scene& scene, Problems& problems);

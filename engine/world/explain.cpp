@@ -164,6 +164,15 @@ struct PassWriter {
         motion.reads + motion.writes + 2 * carried(), rates + unknowns * unknowns * (2 * unknowns / 3 + 2), 1, reason);
   }
 
+  /// Of an implicit method: one iteration, which reads both halves of the rates and writes the first.
+  void compared() {
+    auto reads = state_names(group.motion);
+    reads.push_back("rates");
+    const double rates = size * method.phases;
+    add("compare_stages", reads, {"rates"}, motion.reads + 1.5 * rates, (2.0 * count.stages + 2) * size, 1,
+        "iterated until no stage changes: each time half of the phases, and this");
+  }
+
   void staged() {
     const auto trial = with_prefix("trial_", written());
     std::vector<std::string> sums;
@@ -248,7 +257,8 @@ std::vector<std::string> what_is_off(const std::vector<Group>& groups, const std
 /// Staged passes of all groups in the order of the step; effects between bodies lie between the others.
 void put_in_order(std::vector<PassReport>& passes) {
   static const std::vector<std::string> before{"keep_neighbours", "prepare", "user_effects"};
-  static const std::vector<std::string> after{"press_contacts", "evaluate", "finish", "finish_contacts"};
+  static const std::vector<std::string> after{"press_contacts", "evaluate", "compare_stages", "finish",
+                                              "finish_contacts"};
   const auto rank = [](const PassReport& pass) {
     const auto early = std::find(before.begin(), before.end(), pass.name);
     if (early != before.end()) return early - before.begin() - static_cast<std::ptrdiff_t>(before.size());
@@ -266,6 +276,7 @@ Explanation World::explain() const {
   all.path = implicit_ ? "implicit" : fused_ ? "fused" : "staged";
   all.path_reason = path_reason_;
   all.integrator = row_->name;
+  all.stages = how_solved();
   all.precision = precision() == Precision::single_   ? "single"
                   : precision() == Precision::double_ ? "double"
                                                       : "extended";
@@ -286,6 +297,7 @@ Explanation World::explain() const {
     all.groups.push_back(report(group, g, pair_systems_, users_));
     PassWriter writer{group, method_, method_.phases - keeps_rates_, columns_, path_reason_, all.passes};
     implicit_ ? writer.implicit() : fused_ ? writer.fused() : writer.staged();
+    if (fixed_point_) writer.compared();
   }
   for (const PairSystem& system : pair_systems_) {
     if (!implicit_) system.explain(groups_, method_.phases - keeps_rates_, all);

@@ -50,7 +50,7 @@ class DisjointSets {
 
 }  // namespace
 
-void NewtonTally::add(const NewtonResult& result, std::size_t id) {
+void StageTally::add(const StageResult& result, std::size_t id) {
   iterations += static_cast<std::uint64_t>(result.iterations);
   most = std::max(most, result.iterations);
   const bool known = !std::isnan(result.residual);
@@ -58,7 +58,7 @@ void NewtonTally::add(const NewtonResult& result, std::size_t id) {
   if (!result.converged && (!failed || id < failed_id)) failed = result, failed_id = id;
 }
 
-void NewtonTally::add(const NewtonTally& other) {
+void StageTally::add(const StageTally& other) {
   iterations += other.iterations;
   most = std::max(most, other.most);
   residual = std::max(residual, other.residual);
@@ -133,10 +133,10 @@ void ImplicitStep::join(const std::vector<Group>& groups, const std::vector<Pair
   }
 }
 
-NewtonTally ImplicitStep::step(const std::vector<Group>& groups, const Method& method, Workers& workers, IdOf id_of) {
+StageTally ImplicitStep::step(const std::vector<Group>& groups, const Method& method, Workers& workers, IdOf id_of) {
   const auto task = [&](std::size_t t) { run(tasks_[t], groups, method, id_of); };
   workers.for_each(tasks_.size(), task, tasks_.size() < 2 ? 1 : workers.threads());
-  NewtonTally all;
+  StageTally all;
   for (const Task& done : tasks_) all.add(done.tally);
   return all;
 }
@@ -148,36 +148,43 @@ void ImplicitStep::run(Task& task, const std::vector<Group>& groups, const Metho
       if (joined_[task.group][row]) continue;
       task.system.look_at(row);
     }
-    const NewtonResult result = task.system.solve(groups, method);
+    const StageResult result = task.system.solve(groups, method);
     task.tally.finite = task.system.move(weights_.data()) && task.tally.finite;
     task.tally.add(result, id_of(groups[task.group], row));
   }
 }
 
 Moved World::implicit_step(const Method& method) {
-  NewtonTally tally;
+  StageTally tally;
   timed("implicit_step", [&] {
     tally = implicit_->step(groups_, method, workers_,
                             [this](const Group& group, std::size_t row) { return id_of(group, row); });
   });
-  counters_.force_evaluations += static_cast<std::uint64_t>(method.phases * tally.most);
-  counters_.newton_iterations += tally.iterations;
-  counters_.newton_residual = std::max(counters_.newton_residual, tally.residual);
-  if (tally.failed && status_.code < Status::Code::unconverged) report_unconverged(tally);
+  count_iterations(tally, method.phases);
   return {tally.finite, 0};
 }
 
-void World::report_unconverged(const NewtonTally& tally) {
+void World::count_iterations(const StageTally& tally, int stages) {
+  counters_.force_evaluations += static_cast<std::uint64_t>(stages * tally.most);
+  counters_.newton_iterations += tally.iterations;
+  counters_.newton_residual = std::max(counters_.newton_residual, tally.residual);
+  if (tally.failed && status_.code < Status::Code::unconverged) report_unconverged(tally);
+}
+
+void World::report_unconverged(const StageTally& tally) {
   const double change = static_cast<double>(tally.failed->residual);
   std::string sentence =
       std::isfinite(change)
-          ? fmt::format(
-                "Newton's method has not converged for body {}: its last change is {:.2g} of the state after {} "
-                "iterations",
-                tally.failed_id, change, tally.failed->iterations)
+          ? fmt::format("{} has not converged for body {}: its last change is {:.2g} of the state after {} iterations",
+                        fixed_point_ ? "fixed-point iteration" : "Newton's method", tally.failed_id, change,
+                        tally.failed->iterations)
           : fmt::format(
-                "Newton's method finds no stages for body {}: its equations have no one solution after {} iterations",
-                tally.failed_id, tally.failed->iterations);
+                "{} after {} iterations",
+                fixed_point_
+                    ? fmt::format("fixed-point iteration finds no stages for body {}: it diverges", tally.failed_id)
+                    : fmt::format("Newton's method finds no stages for body {}: its equations have no one solution",
+                                  tally.failed_id),
+                tally.failed->iterations);
   if (status_.code != Status::Code::ok) sentence += "; " + status_.sentence;
   status_ = {Status::Code::unconverged, std::move(sentence), tally.failed_id, counters_.steps + 1, time() + step_};
 }

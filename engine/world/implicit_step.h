@@ -10,17 +10,17 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-/// How Newton's method fared over several systems.
-struct NewtonTally {
-  std::uint64_t iterations = 0;        ///< of all
-  int most = 0;                        ///< of one
-  double residual = 0;                 ///< the largest
-  bool finite = true;                  ///< is every value of the bodies' states?
-  std::optional<NewtonResult> failed;  ///< of the body of least id, if one has not converged
+/// How iterations fared over several systems.
+struct StageTally {
+  std::uint64_t iterations = 0;       ///< of all
+  int most = 0;                       ///< of one
+  double residual = 0;                ///< the largest
+  bool finite = true;                 ///< is every value of the bodies' states?
+  std::optional<StageResult> failed;  ///< of the body of least id, if one has not converged
   std::size_t failed_id = 0;
 
-  void add(const NewtonResult& result, std::size_t id);
-  void add(const NewtonTally& other);
+  void add(const StageResult& result, std::size_t id);
+  void add(const StageTally& other);
 };
 
 class ImplicitStep {
@@ -29,7 +29,7 @@ class ImplicitStep {
 
   ImplicitStep(const Row& row, const std::vector<Group>& groups, const std::vector<PairSystem>& pairs,
                std::size_t block_rows, IdOf id_of);
-  NewtonTally step(const std::vector<Group>& groups, const Method& method, Workers& workers, IdOf id_of);
+  StageTally step(const std::vector<Group>& groups, const Method& method, Workers& workers, IdOf id_of);
 
  private:
   /// Bodies [first, last) of a group one after the other, but for those of other systems; or those of one system.
@@ -37,7 +37,7 @@ class ImplicitStep {
     StageSystem system;
     std::size_t group, first, last;
     bool joined;
-    NewtonTally tally;
+    StageTally tally;
   };
   void join(const std::vector<Group>& groups, const std::vector<PairSystem>& pairs, IdOf id_of);
   void run(Task& task, const std::vector<Group>& groups, const Method& method, IdOf id_of) const;

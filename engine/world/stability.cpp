@@ -159,11 +159,16 @@ Number stability_function(const Row& row, Number w) {
   return sum;
 }
 
-/// Largest |R| at the eigenvalues of the oscillator: lambda^2 + (c + i g) lambda + k = 0.
+/// Eigenvalues of the oscillator: lambda^2 + (c + i g) lambda + k = 0.
+std::array<Number, 2> eigenvalues(double spring, double damping, double gyration) {
+  const Number turn = {damping, gyration}, root = std::sqrt(turn * turn - 4 * spring);
+  return {(-turn + root) / 2.0, (-turn - root) / 2.0};
+}
+
+/// Largest |R| at them.
 double implicit_radius(const Row& row, double spring_h2, double damping_h, double gyration_h) {
-  const Number turn = {damping_h, gyration_h}, root = std::sqrt(turn * turn - 4 * spring_h2);
-  const Number ends[2] = {(-turn + root) / 2.0, (-turn - root) / 2.0};
-  if (spring_h2 == 0) return std::abs(stability_function(row, -turn));  // the other is a free position's
+  if (spring_h2 == 0) return std::abs(stability_function(row, {-damping_h, -gyration_h}));  // 0 is a free position's
+  const auto ends = eigenvalues(spring_h2, damping_h, gyration_h);
   return std::max(std::abs(stability_function(row, ends[0])), std::abs(stability_function(row, ends[1])));
 }
 
@@ -294,6 +299,16 @@ void Builder::check_stability(const std::string& whose, const Stiffness& per_mas
   }
 }
 
+/// An iteration leaves the share h |lambda| |alpha| of the stages' error, at the largest eigenvalues of the oscillator
+/// and of the row's a.
+double FixedPoint::largest_step(const Row& row, const Stiffness& per_mass) {
+  Companion<double> a{};
+  const auto n = static_cast<std::size_t>(row.phases);
+  for (std::size_t i = 0; i < n * n; ++i) a[i] = static_cast<double>(row.a[i / n][i % n]);
+  const auto [one, other] = eigenvalues(per_mass.spring, per_mass.damping, per_mass.gyration);
+  return most_left / (spectral_radius(a, n) * std::max(std::abs(one), std::abs(other)));
+}
+
 /// What else holds the bodies that touch, at most.
 Stiffness World::beside_contacts() const {
   Stiffness most;
@@ -304,7 +319,9 @@ Stiffness World::beside_contacts() const {
 }
 
 StepLimit World::limit_of(const Stiffness& per_mass) const {
-  return f64::step_limit(row_->name, step_, per_mass.spring, per_mass.damping, per_mass.gyration);
+  StepLimit limit = f64::step_limit(row_->name, step_, per_mass.spring, per_mass.damping, per_mass.gyration);
+  if (fixed_point_) limit.largest = std::min(limit.largest, FixedPoint::largest_step(*row_, per_mass));
+  return limit;
 }
 
 /// A contact swings for half a turn: what grows at every step is reported when that is more than a tenth of it.

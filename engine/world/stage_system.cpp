@@ -87,9 +87,9 @@ void StageSystem::arrange(const std::vector<Group>& groups) {
   for (auto* values : {&z_, &right_, &scale_}) values->resize(static_cast<std::size_t>(unknowns));
 }
 
-NewtonResult StageSystem::solve(const std::vector<Group>& groups, const Method& method) {
+StageResult StageSystem::solve(const std::vector<Group>& groups, const Method& method) {
   begin_step(groups, method);
-  NewtonResult result;
+  StageResult result;
   for (Real before = std::numeric_limits<Real>::infinity(); result.iterations < most_iterations;
        before = result.residual) {
     result.residual = improve(method);

@@ -18,8 +18,8 @@ struct Group;
 
 inline constexpr int max_stages = 3;  ///< of implicit methods
 
-/// How Newton's method fared.
-struct NewtonResult {
+/// How an iteration for the stages fared.
+struct StageResult {
   int iterations = 0;
   Real residual = 0;  ///< its last change of the stages, relative to the terms that make them up
   bool converged = false;
@@ -43,7 +43,7 @@ class StageSystem {
   /// The same system for another body of the group: of a system of one.
   void look_at(std::size_t row) { bodies_[0].member.row = row; }
   /// Solves for the stages.
-  NewtonResult solve(const std::vector<Group>& groups, const Method& method);
+  StageResult solve(const std::vector<Group>& groups, const Method& method);
   /// Then moves the bodies: is every value finite? `weights`: d.
   bool move(const Real* weights);
 

@@ -22,8 +22,11 @@ Moved World::staged_step(const Method& method, double from) {
 
 Moved World::staged_passes(Part& part, const Method& method, double from) {
   if (penalty_) timed("keep_neighbours", [&] { penalty_->begin(groups_, from, method.step, workers_); });
-  for (int phase = method.first_known ? 1 : 0; phase < method.phases; ++phase) {
-    staged_phase(part, method, phase, from);
+  if (fixed_point_) {
+    find_stages(part, method, from);
+  } else {
+    for (int phase = method.first_known ? 1 : 0; phase < method.phases; ++phase)
+      staged_phase(part, method, phase, from);
   }
   const Moved moved = moving_pass(part, "finish", [&](const Group& group, const Block& block) {
     Finish* finish = kernels_of(group, method).finish[static_cast<int>(group.motion)];

@@ -91,7 +91,7 @@ void World::advance(double from, double h) {
   if (impulse_) return contact_substeps(from, h);
   const bool whole = h == step_, multistep = row_->family == Family::multistep;
   if (!multistep) {
-    report_non_finite(smooth_motion(whole ? method_ : method_for(*row_, h, rotation_), from));
+    report_non_finite(smooth_motion(whole ? method_ : method_over(h), from));
   } else if (!whole) {
     report_non_finite(smooth_motion(method_for(*find_row(starter_name), h), from));
   } else {
@@ -104,15 +104,22 @@ void World::advance(double from, double h) {
 
 Moved World::smooth_motion(const Method& method, double from) {
   if (implicit_) return implicit_step(method);
+  if (fixed_point_) return fixed_point_step(method, from);
   counters_.force_evaluations += static_cast<std::uint64_t>(method.phases - method.first_known);
   return fused_ ? fused_pass(method, 1) : staged_step(method, from);
+}
+
+/// The row, scaled by the step.
+Method World::method_over(double h) const {
+  const Method method = method_for(*row_, h, rotation_);
+  return not_differentiated_.empty() ? method : FixedPoint::phases_of(method);
 }
 
 /// contacts found -> for each substep: smooth motion as a trial -> impacts reflected -> solve -> relax
 void World::contact_substeps(double from, double h) {
   const int count = impulse_->substeps;
   const double substep = h / count;
-  const Method method = h == step_ ? contact_method_ : method_for(*row_, substep, rotation_);
+  const Method method = h == step_ ? contact_method_ : method_over(substep);
   for (int i = 0; i < count; ++i) {
     const double at = from + i * substep;
     timed("read_contacts", [&] {

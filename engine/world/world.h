@@ -16,6 +16,7 @@
 #include "engine/kernels/exponential_motion.h"
 #include "engine/store/columns.h"
 #include "engine/world/contact_step.h"
+#include "engine/world/fixed_point.h"
 #include "engine/world/implicit_step.h"
 #include "engine/world/inertia.h"
 #include "engine/world/interface.h"
@@ -141,9 +142,11 @@ class World : public WorldInterface {
   void advance(double from, double h);
   void take_effect(const Event& event);
   Moved smooth_motion(const Method& method, double from);
+  Method method_over(double h) const;
   // implicit_step.cpp
   Moved implicit_step(const Method& method);
-  void report_unconverged(const NewtonTally& tally);
+  void count_iterations(const StageTally& tally, int stages);
+  void report_unconverged(const StageTally& tally);
   void contact_substeps(double from, double h);
   void watch_contact_stiffness();
   // stability.cpp
@@ -172,6 +175,12 @@ class World : public WorldInterface {
 
   // look_ahead.cpp
   void go_aside(double t);
+
+  // fixed_point.cpp
+  Moved fixed_point_step(const Method& method, double from);
+  void find_stages(const Part& part, const Method& method, double from);
+  StepLimitReport hardest_to_iterate() const;
+  std::string how_solved() const;
 
   // adaptive.cpp
   void adaptive_step(double limit);
@@ -228,7 +237,9 @@ class World : public WorldInterface {
   std::unique_ptr<ContactStep> contacts_;  ///< none: bodies do not touch
   ImpulseStep* impulse_ = nullptr;         ///< contacts_, as what it is
   PenaltyStep* penalty_ = nullptr;
-  std::unique_ptr<ImplicitStep> implicit_;  ///< none: the method is explicit
+  std::unique_ptr<ImplicitStep> implicit_;   ///< none: the method is explicit, or iterates
+  std::unique_ptr<FixedPoint> fixed_point_;  ///< none: no need to iterate
+  std::string not_differentiated_;           ///< why stages are iterated; "": they are not
   double step_ = 0, duration_ = 0;
   double part_ = 0;  ///< of a step, where a look has gone [s]
   bool fused_ = true;

@@ -45,7 +45,7 @@ struct IntegratorDescription {
   std::string source;
   std::string family;
   int order = 0;
-  int evaluations = 0;          ///< of all forces, per step (implicit: per iteration of Newton's method)
+  int evaluations = 0;          ///< of all forces, per step (implicit: per iteration)
   bool adaptive = false;        ///< has an embedded estimate of its error: takes run.tolerance in place of run.step
   int start_steps = 0;          ///< multistep: first steps, which rk4 takes
   bool symplectic = false;      ///< for forces that do not read velocity
@@ -53,7 +53,7 @@ struct IntegratorDescription {
   double real_limit = 0;        ///< stability: h |lambda| for y' = lambda y, lambda < 0; 0: takes no such force;
                                 ///< infinite (null in JSON): at any step
   double imaginary_limit = 0;   ///< stability: h omega for x'' = -omega^2 x; 0: always grows
-  bool implicit = false;        ///< solves for its stages, with the forces' derivatives by position and velocity
+  bool implicit = false;        ///< solves for its stages, with the forces' derivatives if they have them
 };
 
 struct NamedDescription {

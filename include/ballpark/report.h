@@ -40,8 +40,8 @@ struct Counters {
   /// penalty: stiffness and damping per mass of the contact network, bounds, the most of the run [1/s^2, 1/s]
   double contact_spring = 0, contact_damping = 0;
   double residual = 0;  ///< largest error in a normal speed that the last sweep of the run so far found [m/s]
-  /// implicit: iterations of Newton's method, over all bodies (sets of bodies that pull at each other); and the largest
-  /// last change of a state by it, relative to the state
+  /// implicit: iterations of Newton's method, or fixed-point ones, over all bodies (sets of bodies that are solved for
+  /// together); and the largest last change of a state by them, relative to the state
   std::uint64_t newton_iterations = 0;
   double newton_residual = 0;
 };
@@ -109,6 +109,7 @@ struct Explanation {
   std::string path;  ///< "fused", "staged" or "implicit"
   std::string path_reason;
   std::string integrator, precision, target;
+  std::string stages;    ///< how an implicit integrator solves for them; "" if it is explicit
   std::string rotation;  ///< how orientations follow from spins; "" if none changes
   int threads = 1;
   std::size_t block_length = 0;  ///< bodies per task

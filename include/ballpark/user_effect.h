@@ -23,8 +23,9 @@ struct BodyBlock {
   Real* torque[3] = {};                  ///< about the centre of mass [N m]; null for bodies without rotation
 };
 
-/// A scene with a user effect takes the staged path. Called from several threads at once, on different blocks; must not
-/// throw. Build it with -ffp-contract=off (the ballpark::ballpark target sets it), else equal bits are not promised.
+/// A scene with a user effect takes the staged path; implicit integrators then solve by fixed-point iteration. Called
+/// from several threads at once, on different blocks; must not throw. Build it with -ffp-contract=off (the
+/// ballpark::ballpark target sets it), else equal bits are not promised.
 struct UserEffect {
   std::string name;
   std::vector<std::string> groups = {};  ///< all if empty

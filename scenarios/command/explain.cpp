@@ -32,6 +32,7 @@ void add_summary(Page& text, const Explanation& explanation) {
       {"a body-step", fmt::format("moves {} B, computes {} flops", number(explanation.bytes_per_body_step, 5),
                                   number(explanation.flops_per_body_step, 4))},
       {"columns", bytes(static_cast<double>(explanation.column_bytes)) + " allocated"}};
+  if (!explanation.stages.empty()) fields.push_back({"stages", explanation.stages});
   if (!explanation.rotation.empty()) fields.push_back({"rotation", explanation.rotation});
   for (const StepLimitReport& limit : explanation.step_limits) {
     const bool any = limit.largest > 0;
@@ -193,6 +194,7 @@ Json to_json(const std::string& scenario, const Explanation& explanation) {
           {"path", explanation.path},
           {"path_reason", explanation.path_reason},
           {"integrator", explanation.integrator},
+          {"stages", explanation.stages.empty() ? Json(nullptr) : Json(explanation.stages)},
           {"rotation", explanation.rotation.empty() ? Json(nullptr) : Json(explanation.rotation)},
           {"precision", explanation.precision},
           {"target", explanation.target},

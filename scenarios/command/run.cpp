@@ -104,12 +104,13 @@ void add_contact_facts(std::vector<std::pair<std::string, Cell>>& facts, const R
 }
 
 /// How an implicit method solved its stages.
-void add_newton_facts(std::vector<std::pair<std::string, Cell>>& facts, const RunReport& report) {
-  if (report.path != "implicit") return;
+void add_stage_facts(std::vector<std::pair<std::string, Cell>>& facts, const RunReport& report) {
+  if (report.counters.newton_iterations == 0) return;
   const std::string text =
       fmt::format("{} iterations, the last change at most {} of a body's state",
                   grouped(report.counters.newton_iterations), number(report.counters.newton_residual, 3));
-  facts.insert(facts.begin() + 4, {"Newton's method", text});  // behind the force evaluations
+  const char* method = report.path == "implicit" ? "Newton's method" : "fixed-point iteration";
+  facts.insert(facts.begin() + 4, {method, text});  // behind the force evaluations
 }
 
 std::string steps_text(const RunReport& report) {
@@ -136,7 +137,7 @@ void add_facts(Page& text, const RunReport& report, const Scene& scene) {
       {"angular momentum drift", number(report.angular_momentum_drift, 3) + " (relative)"},
       {"state hash", report.state_hash},
       {"expectations", expectation_summary(report.verdicts)}};
-  add_newton_facts(facts, report);
+  add_stage_facts(facts, report);
   add_contact_facts(facts, report);
   for (auto& field : status_fields(report, scene)) facts.push_back(std::move(field));
   text.fields(std::move(facts));

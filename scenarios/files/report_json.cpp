@@ -41,7 +41,7 @@ Json verdicts_of(const RunReport& report) {
 }  // namespace
 
 Json json_of(const RunReport& report) {
-  const bool implicit = report.path == "implicit";
+  const bool implicit = report.path == "implicit" || report.counters.newton_iterations > 0;
   return {{"format", "ballpark-run-1"},
           {"scenario", report.scenario},
           {"status", json_of(report.status)},

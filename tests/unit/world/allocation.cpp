@@ -72,6 +72,9 @@ TEST_CASE("Allocation: none in a user effect's passes either", "[allocation]") {
     for (std::size_t i = 0; i < block.count; ++i) block.force[0][i] += 0.1;
   });
   for (const int threads : {1, 2}) CHECK(allocations_of_100_steps(busy(), {.threads = threads}, {wind}) == 0);
+  Scene iterated = scene_of({particles("p", 300), bricks("b", 20)});
+  iterated.run.integrator = "gauss4";
+  for (const int threads : {1, 2}) CHECK(allocations_of_100_steps(iterated, {.threads = threads}, {wind}) == 0);
 }
 
 TEST_CASE("Allocation: none in forces between bodies", "[allocation]") {

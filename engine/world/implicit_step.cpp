@@ -173,18 +173,14 @@ void World::count_iterations(const StageTally& tally, int stages) {
 
 void World::report_unconverged(const StageTally& tally) {
   const double change = static_cast<double>(tally.failed->residual);
+  const char* method = fixed_point_ ? "fixed-point iteration" : "Newton's method";
+  const char* why = fixed_point_ ? "it diverges" : "its equations have no one solution";
   std::string sentence =
       std::isfinite(change)
           ? fmt::format("{} has not converged for body {}: its last change is {:.2g} of the state after {} iterations",
-                        fixed_point_ ? "fixed-point iteration" : "Newton's method", tally.failed_id, change,
-                        tally.failed->iterations)
-          : fmt::format(
-                "{} after {} iterations",
-                fixed_point_
-                    ? fmt::format("fixed-point iteration finds no stages for body {}: it diverges", tally.failed_id)
-                    : fmt::format("Newton's method finds no stages for body {}: its equations have no one solution",
-                                  tally.failed_id),
-                tally.failed->iterations);
+                        method, tally.failed_id, change, tally.failed->iterations)
+          : fmt::format("{} finds no stages for body {}: {} after {} iterations", method, tally.failed_id, why,
+                        tally.failed->iterations);
   if (status_.code != Status::Code::ok) sentence += "; " + status_.sentence;
   status_ = {Status::Code::unconverged, std::move(sentence), tally.failed_id, counters_.steps + 1, time() + step_};
 }

@@ -106,7 +106,7 @@ std::string cost_of(const IntegratorDescription& row) {
     cost +=
         " and iteration of Newton's method, with their derivatives; most steps take two or three. Where a force has "
         "none, "
-        "of a fixed-point iteration; steps take 5 to 30";
+        "of a fixed-point iteration; steps take 7 to 40";
   }
   if (row.start_steps > 0)
     cost += fmt::format("; the first {} by rk4, 4 each, and again after an impulse", row.start_steps);

@@ -58,7 +58,8 @@ struct Brake {
 
 TEST_CASE("User effects: give the motion that the same built-in effects give", "[user]") {
   for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
-    if (integrator.implicit || integrator.name == "taylor2" ||
+    if (integrator.implicit) continue;  // iterates: fixed_point.cpp
+    if (integrator.name == "taylor2" ||
         (integrator.family == "splitting" && (integrator.order > 2 || integrator.turns_velocity)))
       continue;  // refused
     BodyGroup mixed = particles("p", 37);

@@ -78,7 +78,7 @@ TEST_CASE("Fixed point: a step that would diverge is refused, with the largest t
 
 TEST_CASE("Fixed point: penalty contacts that jump or remember are refused, others are not", "[implicit]") {
   for (const char* name : {"backward_euler", "implicit_midpoint", "gauss4"}) {
-    for (const auto& [restitution, friction] : {std::pair{0.9, 0.0}, {1.0, 0.1}}) {
+    for (const auto& [restitution, friction] : {std::pair{0.9, 0.0}, std::pair{1.0, 0.1}}) {
       const auto found = problems_of(elastic(name, restitution, friction));
       REQUIRE(found.size() == 1);
       CHECK(found[0].path == "run.integrator");

@@ -123,6 +123,48 @@ std::vector<std::string> ranked_integrators(const Scene& scene, const std::strin
   return names;
 }
 
+/// The setting at every pace asked for, or at all that may be tried, from coarse to fine.
+std::vector<Setting> paced(const Scene& scene, const Axes& axes, std::size_t sample_count, Setting setting,
+                           bool adaptive) {
+  const auto chosen = adaptive ? axes.tolerances : axes.steps;
+  std::vector<Setting> list;
+  for (const double pace : !chosen.empty() ? chosen
+                           : adaptive      ? tolerances_of(setting.precision)
+                                           : steps_of(scene.run.duration, sample_count)) {
+    (adaptive ? setting.tolerance : setting.step) = pace;
+    list.push_back(setting);
+  }
+  return list;
+}
+
+/// Leaves out steps beyond the stability limit of two bodies that press each other: they need not be run to be known.
+class StableSteps {
+ public:
+  explicit StableSteps(const Scene& scene) : scene_(scene) {}
+
+  void keep(std::vector<Setting>& settings, const std::string& label) {
+    const Setting& finest = settings.back();
+    if (finest.contact.kind != "penalty" || finest.tolerance > 0) return;
+    const double limit = World(scene_with(scene_, finest)).explain().contact.largest_step;
+    if (limit > 0 && std::erase_if(settings, [&](const Setting& each) { return each.step > limit; }) > 0) {
+      limits_.emplace_back(limit, label);
+    }
+  }
+  std::string left_out() const {
+    if (limits_.empty()) return "";
+    const auto [least, most] = std::minmax_element(limits_.begin(), limits_.end());
+    std::string words =
+        fmt::format("steps too long to be stable where two bodies press each other: above {:.2g} s of {}", least->first,
+                    least->second);
+    if (limits_.size() > 1) words += fmt::format(" to {:.2g} s of {}", most->first, most->second);
+    return words;
+  }
+
+ private:
+  const Scene& scene_;
+  std::vector<std::pair<double, std::string>> limits_;  // and whose
+};
+
 }  // namespace
 
 std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::size_t sample_count,
@@ -139,27 +181,29 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
   }
   const auto turnings = rotations_of(scene, axes);
   std::map<std::string, std::string> reasons;  // and whom they refuse
-  const auto add = [&](Setting setting, bool adaptive) {
+  StableSteps stable(scene);
+  const auto add = [&](const Setting& setting, bool adaptive) {
     const IntegratorDescription& row = description(setting.integrator);
     Candidate candidate;
     candidate.curve = {
         label_of(setting, adaptive, row.adaptive), row.name, row.family, row.order, setting.precision, {}};
-    const auto chosen = adaptive ? axes.tolerances : axes.steps;
-    for (const double pace : !chosen.empty() ? chosen
-                             : adaptive      ? tolerances_of(setting.precision)
-                                             : steps_of(scene.run.duration, sample_count)) {
-      (adaptive ? setting.tolerance : setting.step) = pace;
-      candidate.settings.push_back(setting);
-    }
+    candidate.settings = paced(scene, axes, sample_count, setting, adaptive);
     const std::vector<Problem> problems = check(scene_with(scene, candidate.settings.front()));
     std::erase_if(candidate.settings, [&](const Setting& each) { return !check(scene_with(scene, each)).empty(); });
-    if (!candidate.settings.empty()) return list.push_back(std::move(candidate));
+    if (!candidate.settings.empty()) {
+      if (axes.steps.empty()) stable.keep(candidate.settings, candidate.curve.label);
+      if (!candidate.settings.empty()) list.push_back(std::move(candidate));
+      return;
+    }
     const std::string why = problems.front().message;
     const auto alike = [&](const ContactChoice& contact) { return contact.kind == setting.contact.kind; };
     const bool first_contact = *std::find_if(contacts.begin(), contacts.end(), alike) == setting.contact;
     if (setting.precision != precisions.front() || setting.rotation != turnings.front() || !first_contact) return;
     std::string& names_so_far = reasons[why.starts_with(row.name) ? why.substr(row.name.size() + 1) : why];
-    names_so_far += (names_so_far.empty() ? "" : ", ") + candidate.curve.label;
+    Setting bare = setting;
+    bare.contact = {};
+    names_so_far += (names_so_far.empty() ? "" : ", ") + label_of(bare, adaptive, row.adaptive);
+    if (setting.contact.kind != main_kind) names_so_far += fmt::format(" (under {} contacts)", setting.contact.kind);
   };
   const auto add_paces = [&](const Setting& setting) {
     if (axes.tolerances.empty() || !axes.steps.empty()) add(setting, false);
@@ -182,6 +226,7 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
     }
   }
   for (const auto& [why, whom] : reasons) refused.push_back(whom + ": " + why);
+  if (!stable.left_out().empty()) refused.push_back(stable.left_out());
   if (axes.integrators.empty() && names_for.count("impulse") > 0) {
     refused.push_back("more integrators: impulse contacts are of first order under all of them (--integrators)");
   }

@@ -22,6 +22,30 @@ kind = "spring"
 stiffness = 25.0
 anchor = [0.0, 0.0, 0.0]
 """
+BALL = """
+name = "ball"
+[run]
+duration = 1.0
+step = 0.01
+integrator = "velocity_verlet"
+[contact]
+kind = "impulse"
+iterations = 6
+[materials.rubber]
+restitution = 0.8
+[[boundaries]]
+shape = "plane"
+material = "rubber"
+[[bodies]]
+name = "ball"
+shape = "sphere"
+material = "rubber"
+radius = 0.1
+mass = 1.0
+position = [[0.0, 0.0, 1.1]]
+[[effects]]
+kind = "gravity"
+"""
 THREE = """
 name = "three"
 doc = "three stars, softened, that meet again and again"
@@ -132,7 +156,7 @@ class Cost(CommandTest):
                 (["--steps", "x"], ["--steps", "finite number"]),
                 (["--precisions", "doubel"], ["--precisions", "did you mean 'double'"]),
                 (["--precision", "double"], ["--precisions"]),
-                (["--contacts", "12x1"], ["--contacts", "no impulse contacts"]),
+                (["--contacts", "12x1"], ["--contacts", "no contacts"]),
                 (["--error", "positoin"], ["--error", "did you mean 'position'"]),
                 (["--error", "position.mean"], ["--error", "maximum"]),
                 (["--reference", "closed"], ["--reference", "best"]),
@@ -154,6 +178,21 @@ class Cost(CommandTest):
         self.refused("cost", empty, says="no bodies")
         self.refused("order", empty, says="no bodies")
         self.refused("order", self.swing, "--copies", "10", says="one copy")
+
+    def test_contacts_of_both_formulations_are_tried_and_written_back(self):
+        ball = self.write("ball.toml", BALL)
+        few = ["--integrators", "velocity_verlet", "--precisions", "double", "--seconds", "3"]
+        result = self.json("cost", ball, *few)
+        self.assertEqual({point["contact"]["kind"] for point in result["points"]}, {"impulse", "penalty"})
+        self.assertIn("no step takes away", result["remarks"][0])
+        text = self.call("cost", ball, *few, "--contacts", "12x1,penalty:1e6").stdout
+        self.assertIn("penalty contacts come as near as", text)
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)
+        self.call("cost", ball, *few, "--contacts", "penalty:1e6", "--tolerance", "0.1", "--write")
+        self.assertIn('[contact]\nkind = "penalty"\nstiffness = 1e', (self.folder / "ball.toml").read_text())
+        for words in ("soft", "12", "12x4x2", "penalty:", "penalty:0", "penalty:-1", "impulse:12", "0x1", "12x1,"):
+            self.refused("cost", ball, "--contacts", words, says=["--contacts"])
+        self.refused("cost", ball, "--contacts", "soft", says=["'soft'", "expected impulse, penalty", "penalty:1e6"])
 
     def test_paths_that_stay_together_need_no_ensemble(self):
         result = self.json("cost", self.swing, *FEW, "--copies", "10")

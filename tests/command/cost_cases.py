@@ -189,7 +189,7 @@ class Cost(CommandTest):
         self.assertIn("penalty contacts come as near as", text)
         self.assertLessEqual(max(map(len, text.splitlines())), 80)
         self.call("cost", ball, *few, "--contacts", "penalty:1e6", "--tolerance", "0.1", "--write")
-        self.assertIn('[contact]\nkind = "penalty"\nstiffness = 1e', (self.folder / "ball.toml").read_text())
+        self.assertIn('[contact]\nkind = "penalty"\nstiffness = 1000000\n[materials', (self.folder / "ball.toml").read_text())
         for words in ("soft", "12", "12x4x2", "penalty:", "penalty:0", "penalty:-1", "impulse:12", "0x1", "12x1,"):
             self.refused("cost", ball, "--contacts", words, says=["--contacts"])
         self.refused("cost", ball, "--contacts", "soft", says=["'soft'", "expected impulse, penalty", "penalty:1e6"])

@@ -148,10 +148,10 @@ Choices contacts_to_try(const Ground& ground, const Choices& asked, Result& resu
       fmt::format("Contacts other than the scene's own ({}) solve other equations: their errors hold the difference of "
                   "the models too, which no step takes away.",
                   own.kind == "penalty" ? text(own) : own.kind));
-  const bool stands_in = own.kind != "penalty" && std::any_of(list.begin(), list.end(), [&](const ContactChoice& c) {
-                           return c == usual(ground, "penalty").front();
-                         });
-  if (stands_in) result.remarks.push_back(about_springs(ground));
+  const ContactChoice some_springs{.kind = "penalty"};
+  const bool chosen_here = asked.empty() || std::find(asked.begin(), asked.end(), some_springs) != asked.end();
+  const bool tried = std::any_of(list.begin(), list.end(), [](auto& choice) { return choice.kind == "penalty"; });
+  if (own.kind != "penalty" && chosen_here && tried) result.remarks.push_back(about_springs(ground));
   return list;
 }
 

@@ -111,6 +111,7 @@ TEST_CASE("contacts: what is asked for is taken, once, with the usual numbers wh
   CHECK(result.remarks.size() == 1);  // the stiffness was not chosen here
   Result soft;
   CHECK(contacts_to_try(*hard, {{.kind = "penalty"}}, soft).size() == 3);
+  CHECK(soft.remarks.size() == 2);
   Result own;
   CHECK(contacts_to_try(*hard, {{.kind = "impulse"}}, own).size() == 5);
   CHECK(own.remarks.empty());

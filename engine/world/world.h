@@ -17,6 +17,7 @@
 #include "engine/store/columns.h"
 #include "engine/world/contact_step.h"
 #include "engine/world/fixed_point.h"
+#include "engine/world/group.h"
 #include "engine/world/implicit_step.h"
 #include "engine/world/inertia.h"
 #include "engine/world/interface.h"
@@ -24,74 +25,6 @@
 #include "engine/world/pair_system.h"
 
 namespace ballpark::BALLPARK_PRECISION {
-
-/// Bodies of a task: a fixed length, whatever the number of threads. A block of particles is 192 kB in double.
-inline constexpr std::size_t block_length = 4096;
-
-/// Bodies of one kind: rows [first_row, first_row + live), padded. Copy k of the scene has its rows behind copy k -
-/// 1's.
-struct Group {
-  std::string name;
-  std::size_t scene_index = 0;
-  std::size_t per_copy = 0;   ///< bodies in one copy
-  std::size_t id_offset = 0;  ///< of its first body in a copy
-  std::size_t first_row = 0, live = 0;
-  MotionKind motion = MotionKind::point;                  ///< how it is stepped
-  MotionKind carried = MotionKind::point;                 ///< with the columns that it carries but no force changes
-  MotionKind turning = MotionKind::point;                 ///< how it is stepped once its spin changes
-  std::string why;                                        ///< of the motion
-  std::vector<std::pair<std::string, double>> constants;  ///< equal over the group, by name
-  std::vector<Vector3d> inertia;  ///< principal moments [kg m^2]: none, one, or one for each body of a copy
-  std::array<std::vector<std::byte>, LocalEffects::count> effects;  ///< Constants of each instance, by local effect
-  std::vector<EffectInstance> instances;                            ///< what kernel.forces points to
-  std::vector<std::size_t> users;                                   ///< indices of user effects
-  StepGroup kernel;
-  Real* force_sums[3] = {};         ///< staged path with user effects or forces between bodies
-  Real* torque_sums[3] = {};        ///< likewise, where a user effect or contact friction turns the bodies
-  std::vector<Real*> rates;         ///< staged path, and rates kept between steps: what kernel.rates points to
-  std::vector<Real*> rate_columns;  ///< where they are in memory: sets as at the start, see World::arrange_rates
-  std::vector<Real*> carry;         ///< compensated summation: what kernel.carry points to
-  std::vector<Real*> carry_before;  ///< adaptive: as it was when the step began
-
-  bool turns() const { return carried >= MotionKind::oriented; }
-  bool spins() const { return carried != MotionKind::point; }
-  bool pivots() const { return carried == MotionKind::pivoted; }
-  std::size_t instance_count(std::size_t e) const { return effects[e].size() / local_effects()[e].constants_size; }
-  /// After a change of effects: tells the kernels.
-  void list_instances();
-};
-
-struct Block {
-  std::size_t group = 0, first = 0, last = 0;  ///< rows of the group
-};
-
-/// Bodies that no others act on: some whole copies of the scene.
-struct Part {
-  CopyRange copies;
-  bool alone = false;  ///< on one thread: passes of few bodies gain nothing from another one
-  std::vector<Block> blocks;
-  std::vector<Moved> moved;  ///< of each block
-
-  void add(std::size_t group, std::size_t first, std::size_t last);  ///< rows, as blocks
-};
-
-/// Time as a sum of steps, with what rounding takes from it (Knuth's two-sum).
-struct Elapsed {
-  double time = 0, rest = 0;
-  double until(double t) const { return (t - time) - rest; }
-  /// By h, to `exactly` that time if it is given.
-  void advance(double h, std::optional<double> exactly) {
-    const double add = h + rest, sum = time + add, part = sum - time;
-    rest = exactly ? 0 : (time - (sum - part)) + (add - part);
-    time = exactly.value_or(sum);
-  }
-};
-
-/// What happens at a time. A step that holds it is split there.
-struct Event {
-  double at = 0;                   ///< [s]
-  std::optional<Impulse> impulse;  ///< none: only the split (an effect begins or ends)
-};
 
 class World : public WorldInterface {
  public:

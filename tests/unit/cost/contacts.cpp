@@ -79,7 +79,8 @@ TEST_CASE("contacts: of a scene by impulse springs are tried too, and stiffer on
 
 TEST_CASE("contacts: a scene by penalty is swept by impulse too, against a reference of its own springs", "[cost]") {
   Request request;
-  request.seconds = 4;
+  request.seconds = 6;
+  request.axes.steps = {1e-3, 1e-4, 1e-5};
   request.axes.integrators = {"velocity_verlet", "rk4"};
   request.axes.precisions = {Precision::double_};
   const auto result = cost::cost(soft_drop(), request, [](const std::string&, double) { return true; });
@@ -93,9 +94,9 @@ TEST_CASE("contacts: a scene by penalty is swept by impulse too, against a refer
     double& nearest = soft ? nearest_soft : nearest_hard;
     nearest = std::min(nearest, point.error);
   }
-  CHECK(nearest_soft < 1e-4);
+  CHECK(nearest_soft < 2e-3);
   CHECK(nearest_hard < 1);
-  CHECK(nearest_hard > 100 * nearest_soft);  // the difference of the models
+  CHECK(nearest_hard > 10 * nearest_soft);  // the difference of the models
   REQUIRE(formulations(*result).size() == 2);
   CHECK(formulations(*result)[0].find("impulse contacts come as near as ") == 0);
   CHECK(formulations(*result)[1].find("penalty 10000 N/m") != std::string::npos);

@@ -59,8 +59,9 @@ void Penalty::keep_list(double time, Real h, Workers& workers) {
   const auto look_ahead = [&](Real wall_way) {
     for_blocks(workers, [&](std::size_t first, std::size_t last, Part&) {
       for (std::size_t i = first; i < last; ++i) {
-        const Real far = h * length(bodies.velocity.at(i));
-        // Twice: it may gain speed. What goes farther than that is counted: no list is wide enough for it.
+        // Twice: it may gain speed. What goes farther than that is counted: no list is wide enough for it. Steps that
+        // can be taken back are, if they take a body farther than its radius.
+        const Real far = returns ? bodies.radius[i] / 2 : h * length(bodies.velocity.at(i));
         ahead_[i] = (far - far == 0 ? std::min(2 * far, 2 * bodies.radius[i]) : Real(0)) + wall_way;
       }
     });

@@ -210,6 +210,23 @@ void PenaltyStep::finish(const std::vector<Group>& groups, const Method& method,
   });
 }
 
+Real PenaltyStep::stride(const std::vector<Group>& groups, Real h, Workers& workers) {
+  const ContactBodies& bodies = penalty.bodies;
+  strides_.resize(bodies.count);
+  for_bodies(groups, workers, [&](const Group& group, std::size_t row, std::size_t slot, Real) {
+    const StateColumns &from = group.kernel.before, &to = group.kernel.state;
+    const Real way = length(nearest_image(at(to.position, row) - at(from.position, row), penalty.period));
+    const Real speed = std::max(length(at(from.velocity, row)), length(at(to.velocity, row)));
+    strides_[slot] = std::max(way, h * speed) / bodies.radius[slot];
+  });
+  Real wall_speed = 0, most = 0;
+  for (const Wall& wall : penalty.walls) wall_speed = std::max(wall_speed, static_cast<Real>(wall.motion.top_speed()));
+  for (std::size_t slot = 0; slot < bodies.count; ++slot) {
+    most = std::max({most, strides_[slot], h * wall_speed / bodies.radius[slot]});
+  }
+  return most;
+}
+
 double PenaltyStep::energy(const std::vector<Group>& groups, double time, Workers& workers) {
   read_state(groups, &StepGroup::state, workers);
   return penalty.energy(time, workers);

@@ -117,6 +117,7 @@ class World : public WorldInterface {
 
   // adaptive.cpp
   void adaptive_step(double limit);
+  double overstep();
   void due_events();
   void accept_try();
   void keep_carries();

@@ -260,3 +260,43 @@ TEST_CASE("tolerance: penalty contacts from the first step on", "[physics]") {
   CHECK(world.status().sentence == "ok");
   CHECK(std::abs(position(world)[2] - (group.position[0].z() - depth * (1 - std::cos(swing * 0.5L)))) < 1e-6L);
 }
+
+TEST_CASE("tolerance: penalty contacts stop what comes out of a long flight", "[physics]") {
+  BodyGroup group = ball();
+  group.radius = {0.1};
+  group.position = {{0, 0, 1.1}};
+  Scene made = scene(group, {gravity()}, 4, 1);
+  made.contact.kind = "penalty";
+  made.contact.stiffness = 2e5;
+  Boundary floor;
+  floor.shape = "plane";
+  made.boundaries = {floor};
+  for (const char* name : {"bogacki_shampine3", "dormand_prince5", "dormand_prince8"}) {
+    for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+      World world(at_tolerance(made, name, tolerance));
+      const double energy = world.totals().energy();
+      double lowest = 1;
+      for (int k = 1; k <= 100; ++k) {
+        REQUIRE(world.approach(0.04 * k, 4));
+        world.look_ahead(0.04 * k, [&] { lowest = std::min(lowest, world.body(0).position.z()); });
+      }
+      INFO(name << " at " << tolerance << ": " << world.steps() << " steps, lowest " << lowest);
+      CHECK(world.status().sentence == "ok");
+      CHECK(lowest > 0);
+      CHECK(std::abs(world.totals().energy() / energy - 1) < std::max(0.2, 1e3 * tolerance));
+      CHECK(world.counters().missed == 0);
+    }
+  }
+}
+
+TEST_CASE("tolerance: penalty contacts of balls that come from far away", "[physics]") {
+  BodyGroup group = ball();
+  group.position = {{-50, 0, 0}, {50, 0, 0}};
+  group.velocity = {{20, 0, 0}, {-20, 0, 0}};
+  group.radius = {0.1};
+  Scene made = scene(group, {}, 5, 1);
+  made.contact.kind = "penalty";
+  made.contact.stiffness = 1e6;
+  const World world = at_end(at_tolerance(made, "dormand_prince5", 1e-6));
+  CHECK(std::abs(velocity(world)[0] + 20) < 0.01L);  // elastic: they change their velocities
+}

@@ -12,6 +12,8 @@
 #include "ballpark/options.h"
 #include "ballpark/report.h"
 #include "ballpark/scene.h"
+#include "ballpark/state.h"
+#include "ballpark/watch.h"
 #include "ballpark/world.h"
 
 namespace ballpark::scenes {
@@ -27,6 +29,14 @@ struct OutputRequest {
   std::optional<double> every;  ///< [s]
   std::vector<double> at;       ///< [s]
   std::string file;
+};
+
+/// [[event]]: the times at which a number of a body's state passes a value.
+struct EventRequest {
+  std::string name;      ///< unique, a word
+  std::string quantity;  ///< state.ID.COLUMN
+  double value = 0;
+  std::string crossing = "any";  ///< "rising", "falling" or "any"
 };
 
 /// [[expect]]: a number of the run, and what it must be: [min, max], or value within tolerance (absolute).
@@ -47,6 +57,7 @@ struct SceneFile {
   std::vector<std::string> body_files;  ///< what `file` of the body groups named, where it was read
   Scene scene;
   std::vector<OutputRequest> outputs;
+  std::vector<EventRequest> events;
   std::vector<Expectation> expectations;
   std::map<std::string, Location> locations;  ///< by problem path: "bodies[0].mass"
 };
@@ -74,6 +85,28 @@ SceneFile parse(const std::string& text, const std::string& name, const std::vec
 /// The scene file's keys as a JSON Schema, for editors; and as help text.
 std::string json_schema();
 std::string key_help();
+
+/// An event in terms of a world.
+struct BodyEvent {
+  std::string name;
+  std::size_t body = 0;                           ///< its id
+  std::function<double(const BodyState&)> value;  ///< passes 0 at the event
+  bool rising = true, falling = true;             ///< which ways of passing count
+};
+/// When an event was.
+struct EventTimes {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<double> times = {};  ///< the first `most_event_times` [s]
+  double last = 0;                 ///< [s]; 0 if there was none
+};
+inline constexpr std::size_t most_event_times = 1000;
+
+/// The file's events. Throws SceneFileError if one names a quantity that no body's state has.
+std::vector<BodyEvent> events_of(const SceneFile& file, const World& world);
+/// For advance_watching: notes in `into` when the event is; all three must outlive it. A time that `into` has already is
+/// not noted again.
+Watch watch_for(const BodyEvent& event, const World& world, EventTimes& into);
 
 /// Verdict on one expectation. A measured value that is not finite is never met.
 struct Verdict {
@@ -105,6 +138,7 @@ struct RunReport {
   double energy_drift_relative = 0;  ///< (final - initial) / largest of |initial|, |final|, initial and final kinetic
   double momentum_drift = 0;         ///< |dP| / largest sum of |p| at start or end
   double angular_momentum_drift = 0;
+  std::vector<EventTimes> events;
   std::vector<std::string> warnings;
   std::vector<Verdict> verdicts;
   bool interrupted = false;
@@ -121,7 +155,8 @@ struct RunHooks {
 };
 
 /// Builds the world, steps it to the scene's duration, samples outputs and expectations at the steps nearest to their
-/// times, and judges. Throws SceneFileError if an expectation names a quantity that does not exist (before stepping).
+/// times, finds the times of events between steps, and judges. Throws SceneFileError if an expectation or an event names
+/// a quantity that does not exist (before stepping).
 RunReport run(const SceneFile& file, const Options& options = {}, const RunHooks& hooks = {});
 
 }  // namespace ballpark::scenes

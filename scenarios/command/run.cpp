@@ -113,6 +113,23 @@ void add_stage_facts(std::vector<std::pair<std::string, Cell>>& facts, const Run
   facts.insert(facts.begin() + 4, {method, text});  // behind the force evaluations
 }
 
+/// "once, at 1.5 s", "40 times, from 0.1 s to 7.9 s"
+std::string times_text(const scenes::EventTimes& event) {
+  constexpr int digits = 12;
+  const auto told = [](double time) { return number(time, digits) + " s"; };
+  if (event.count == 0) return "never";
+  const std::string first = told(event.times.front());
+  if (event.count == 1) return "once, at " + first;
+  if (event.count == 2) return fmt::format("twice, at {} and {}", first, told(event.last));
+  return fmt::format("{} times, from {} to {}", grouped(event.count), first, told(event.last));
+}
+
+void add_events(std::vector<std::pair<std::string, Cell>>& facts, const RunReport& report) {
+  for (const scenes::EventTimes& event : report.events) {
+    facts.insert(facts.end() - 2, {"event " + event.name, times_text(event)});  // before the hash
+  }
+}
+
 std::string steps_text(const RunReport& report) {
   const std::string steps = grouped(report.counters.steps);
   if (report.tolerance == 0) return fmt::format("{} of {} s ({})", steps, number(report.step), report.integrator);
@@ -139,6 +156,7 @@ void add_facts(Page& text, const RunReport& report, const Scene& scene) {
       {"expectations", expectation_summary(report.verdicts)}};
   add_stage_facts(facts, report);
   add_contact_facts(facts, report);
+  add_events(facts, report);
   for (auto& field : status_fields(report, scene)) facts.push_back(std::move(field));
   text.fields(std::move(facts));
 }

@@ -19,7 +19,7 @@ struct Draft {
 };
 
 /// What a table of the file fills.
-using Owner = std::variant<Draft*, RunSettings*, BodyDraft*, Generate*, Effect*, Impulse*, OutputRequest*, Expectation*,
+using Owner = std::variant<Draft*, RunSettings*, BodyDraft*, Generate*, Effect*, Impulse*, OutputRequest*, EventRequest*, Expectation*,
                            Material*, MaterialPair*, Boundary*, Motion*, ContactSettings*>;
 
 /// A value of the file after its type was checked.

@@ -37,6 +37,9 @@ Rows top_rows() {
           "output", tables, +[](Draft& d) { return &d.file.outputs.emplace_back(); },
           "One file with the state over time each: give every or at."),
       Row(
+          "event", tables, +[](Draft& d) { return &d.file.events.emplace_back(); },
+          "One kind of moment each: a number of a body's state passes a value. Found between steps, no bit changes."),
+      Row(
           "expect", tables, +[](Draft& d) { return &d.file.expectations.emplace_back(); },
           "One number of the run each and what it must be: min, max or both; or value with tolerance."),
   };
@@ -191,12 +194,24 @@ Rows output_rows() {
   };
 }
 
+Rows event_rows() {
+  return {
+      Row("name", text, "", into(&EventRequest::name),
+          "Unique, a word: where the run's JSON has its times, and how [[expect]] addresses them.")
+          .must(),
+      Row("quantity", text, "", into(&EventRequest::quantity), "state.ID.COLUMN, as in [[expect]].").must(),
+      Row("value", number, "", into(&EventRequest::value), "What the quantity passes.").otherwise("0"),
+      Row("crossing", word, "", into(&EventRequest::crossing), "The way it passes.")
+          .one_of({"rising", "falling", "any"})
+          .otherwise("\"any\""),
+  };
+}
+
 Rows expect_rows() {
   return {
       Row("quantity", text, "", into(&Expectation::quantity),
-          "A path in the JSON of the run (energy.drift_relative), or state.ID.COLUMN (state.0.x) with the columns "
-          "x,y,z, "
-          "vx,vy,vz, qw,qx,qy,qz, wx,wy,wz.")
+          "A path in the JSON of the run (energy.drift_relative, events.NAME.count, events.NAME.times.0), or "
+          "state.ID.COLUMN (state.0.x) with the columns x,y,z, vx,vy,vz, qw,qx,qy,qz, wx,wy,wz.")
           .must(),
       Row("at", number, "s", into_optional(&Expectation::at), "When; at the end if left out.").in(not_negative),
       Row("min", number, "", into_optional(&Expectation::minimum), "The least it may be."),
@@ -219,6 +234,7 @@ std::vector<Key> all_keys() {
   add("effects", effect_rows());
   add("impulse", impulse_rows());
   add("output", output_rows());
+  add("event", event_rows());
   add("expect", expect_rows());
   for (const TableRows& part : contact_tables()) add(part.table, part.rows);
   return list;

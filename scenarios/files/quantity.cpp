@@ -89,10 +89,25 @@ std::vector<std::string> names_in(const Json& json) {
   return names;
 }
 
+/// By name, or in a list by index.
 const Json* find_in(const Json& json, const std::string& name) {
+  if (json.is_array()) {
+    const std::optional<std::size_t> index = whole(name);
+    return index && *index < json.size() ? &json[*index] : nullptr;
+  }
   if (!json.is_object()) return nullptr;
   const auto found = json.find(name);
   return found == json.end() ? nullptr : &*found;
+}
+
+/// The one list whose numbers are quantities: empty at the start, it grows as the run goes.
+constexpr const char* times_of_event = "times";
+
+std::string index_problem(const std::string& index) {
+  const std::optional<std::size_t> k = whole(index);
+  if (k && *k < most_event_times) return "";
+  return fmt::format("there is no \"{}\" in {}, expected a whole number below {}", printable(index), times_of_event,
+                     most_event_times);
 }
 
 }  // namespace
@@ -107,7 +122,7 @@ std::string Quantity::problem(const World& world, const Json& report) const {
 }
 
 std::string Quantity::state_problem(const World& world) const {
-  if (!id_) return "expected state.ID.COLUMN, such as state.0.x";
+  if (!is_state_ || !id_) return "expected state.ID.COLUMN, such as state.0.x";
   if (*id_ >= world.body_count()) {
     return fmt::format("there is no body {}, expected an id below {}", *id_, world.body_count());
   }
@@ -123,6 +138,7 @@ std::string Quantity::report_problem(const Json& report) const {
   const Json* json = &report;
   std::string reached = "the run's report";
   for (const std::string& segment : segments_) {
+    if (reached == times_of_event && json->is_array()) return index_problem(segment);
     const std::vector<std::string> names = names_in(*json);
     json = find_in(*json, segment);
     if (!json) {
@@ -136,14 +152,18 @@ std::string Quantity::report_problem(const Json& report) const {
   return "is not a number";
 }
 
+double (*Quantity::column() const)(const BodyState&) {
+  return column_of(segments_[2])->value;
+}
+
 double Quantity::measured(const World& world) const {
-  return column_of(segments_[2])->value(world.body(*id_));
+  return column()(world.body(*id_));
 }
 
 double Quantity::measured(const Json& report) const {
   const Json* json = &report;
-  for (const std::string& segment : segments_) json = find_in(*json, segment);
-  return json->is_number() ? json->get<double>() : std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; json && i < segments_.size(); ++i) json = find_in(*json, segments_[i]);
+  return json && json->is_number() ? json->get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace ballpark::scenes

@@ -38,6 +38,12 @@ Json verdicts_of(const RunReport& report) {
   return list;
 }
 
+Json events_of(const RunReport& report) {
+  Json events = Json::object();
+  for (const EventTimes& event : report.events) events[event.name] = {{"count", event.count}, {"times", event.times}};
+  return events;
+}
+
 }  // namespace
 
 Json json_of(const RunReport& report) {
@@ -89,6 +95,7 @@ Json json_of(const RunReport& report) {
           {"angular_momentum", {{"drift", report.angular_momentum_drift}}},
           {"non_finite_bodies", report.final.non_finite_bodies},
           {"bodies_outside", report.final.bodies_outside},
+          {"events", events_of(report)},
           {"warnings", report.warnings},
           {"expectations", verdicts_of(report)}};
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "scenarios/files/document.h"
@@ -23,6 +25,20 @@ class RequestCheck {
     const bool known_format = request.file.ends_with(".npz") || request.file.ends_with(".csv");
     if (!known_format)
       add(path + ".file", fmt::format("is \"{}\", expected a file name with .npz or .csv", printable(request.file)));
+  }
+
+  void event(const EventRequest& request, const std::vector<EventRequest>& all, const std::string& path) {
+    optional_number("event", "value", request.value, path);
+    const auto in_word = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
+    const bool word = !request.name.empty() && std::all_of(request.name.begin(), request.name.end(), in_word);
+    if (!word) {
+      add(path + ".name", fmt::format("is \"{}\", expected a word of letters, digits, - and _ (events.NAME.count)",
+                                      printable(request.name)));
+    }
+    const auto first = std::find_if(all.begin(), all.end(), [&](auto& other) { return other.name == request.name; });
+    if (&*first != &request) {
+      add(path + ".name", fmt::format("\"{}\" is the name of an earlier event", printable(request.name)));
+    }
   }
 
   void expectation(const Expectation& expectation, const std::string& path) {
@@ -78,6 +94,9 @@ class RequestCheck {
 std::vector<Problem> check_requests(const SceneFile& file) {
   RequestCheck check(file.scene.run);
   for (std::size_t i = 0; i < file.outputs.size(); ++i) check.output(file.outputs[i], fmt::format("output[{}]", i));
+  for (std::size_t i = 0; i < file.events.size(); ++i) {
+    check.event(file.events[i], file.events, fmt::format("event[{}]", i));
+  }
   for (std::size_t i = 0; i < file.expectations.size(); ++i) {
     check.expectation(file.expectations[i], fmt::format("expect[{}]", i));
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scenarios/files/event_log.h"
 #include "scenarios/files/judge.h"
 #include "scenarios/files/timetable.h"
 
@@ -39,7 +40,8 @@ double seconds_since(Clock::time_point start) {
 /// time that the steps took.
 class Driver {
  public:
-  Driver(World& world, const RunHooks& hooks, const Pace& pace) : world_(world), hooks_(hooks), pace_(pace) {}
+  Driver(World& world, EventLog& events, const RunHooks& hooks, const Pace& pace)
+      : world_(world), events_(events), hooks_(hooks), pace_(pace) {}
 
   /// On the axis of the pace.
   double now() const { return pace_.by_steps() ? static_cast<double>(world_.steps()) : world_.time(); }
@@ -68,13 +70,7 @@ class Driver {
     constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
     const std::uint64_t steps = hooks_.progress ? chunk_ : no_limit;
     const Clock::time_point start = Clock::now();
-    bool there;
-    if (pace_.by_steps()) {
-      world_.step(std::min(steps, static_cast<std::uint64_t>(place) - world_.steps()));
-      there = now() >= place;
-    } else {
-      there = world_.approach(place, pace_.end(), steps);
-    }
+    const bool there = pace_.by_steps() ? walk_steps(place, steps) : walk_times(place, steps);
     const double taken = seconds_since(start);
     seconds_ += taken;
     if (taken < 0.02 && chunk_ < no_limit / 2) chunk_ *= 2;
@@ -82,7 +78,18 @@ class Driver {
     return there;
   }
 
+  bool walk_steps(double place, std::uint64_t most) {
+    const std::uint64_t n = std::min(most, static_cast<std::uint64_t>(place) - world_.steps());
+    events_.empty() ? world_.step(n) : events_.step(n, pace_.step());
+    return now() >= place;
+  }
+
+  bool walk_times(double place, std::uint64_t most) {
+    return events_.empty() ? world_.approach(place, pace_.end(), most) : events_.approach(place, pace_.end(), most);
+  }
+
   World& world_;
+  EventLog& events_;
   const RunHooks& hooks_;
   const Pace& pace_;
   bool interrupted_ = false;
@@ -100,7 +107,8 @@ class Run {
         world_(file.scene, options),
         initial_(world_.totals()),
         path_(world_.explain().path),
-        driver_(world_, hooks, pace_),
+        events_(file, world_),
+        driver_(world_, events_, hooks, pace_),
         judge_(file, world_, report()) {
     plan();
   }
@@ -200,6 +208,7 @@ class Run {
     now.path = path_;
     now.initial = initial_;
     now.final = world_.totals();
+    now.events = events_.until(now.time);
     add_drifts(now);
     return now;
   }
@@ -281,6 +290,7 @@ class Run {
   World world_;
   Totals initial_;
   std::string path_;
+  EventLog events_;
   Driver driver_;
   Judge judge_;
   std::vector<Duty> duties_;

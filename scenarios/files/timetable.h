@@ -14,6 +14,7 @@ class Pace {
  public:
   explicit Pace(const RunSettings& run);
   bool by_steps() const { return step_ > 0; }
+  double step() const { return step_; }  ///< [s]
   double end() const { return end_; }
   /// Time that no whole step covers [s]; 0 if the duration is a whole number of steps to 1e-9.
   double remainder() const { return remainder_; }

@@ -170,8 +170,8 @@ class Study {
 
 std::optional<Result> cost(const Scene& scene, const Request& request, const Progress& progress) {
   const double begin = seconds_now();
-  const GroundRequest wanted{request.measure, request.reference, reference_share * request.seconds, request.axes.steps,
-                             request.options};
+  const GroundRequest wanted{request.measure,    request.reference, reference_share * request.seconds,
+                             request.axes.steps, request.options,   request.events};
   const GoOn go_on = [&] { return progress("reference", std::min(1.0, (seconds_now() - begin) / wanted.seconds)); };
   const std::optional<Ground> ground = ground_for(scene, wanted, go_on);
   if (!ground) return std::nullopt;

@@ -21,6 +21,7 @@ struct Request {
   std::optional<int> copies;        ///< of ensembles beyond the horizon; none: a few, if there is time
   std::optional<double> perturb;    ///< relative change of their starts; none: as large as the path at the horizon
   Options options;
+  std::vector<scenes::BodyEvent> events = {};  ///< whose times are compared as well
 };
 
 /// Told what is being done; false: stop.

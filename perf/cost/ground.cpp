@@ -56,24 +56,26 @@ std::size_t look_count(const Scene& scene, const std::vector<double>& steps) {
   return usual_looks;
 }
 
-void look_at(Ground& ground, const std::vector<double>& steps) {
+void look_at(Ground& ground, const GroundRequest& request) {
   const World world(ground.scene, ground.options);
   Samples& samples = ground.samples;
-  samples = samples_of(ground.scene.run.duration, world.body_count(), look_count(ground.scene, steps), most_bodies);
+  samples =
+      samples_of(ground.scene.run.duration, world.body_count(), look_count(ground.scene, request.steps), most_bodies);
+  samples.events = request.events;
   for (const std::size_t id : samples.ids) samples.start.push_back(world.body(id));
   ground.about.compared = samples.ids.size();
 }
 
 /// Where runs part, only the first part of the duration can be compared: a whole fraction of it, so that its steps fill
 /// the whole of it too.
-void stay_inside_horizon(Ground& ground, const std::vector<double>& steps, const GoOn& go_on, double growth) {
+void stay_inside_horizon(Ground& ground, const GroundRequest& request, const GoOn& go_on, double growth) {
   Result& about = ground.about;
   about.horizon = find_horizon(ground.scene, ground.options, go_on, growth);
   if (!about.horizon) return;
   double& duration = ground.scene.run.duration;
   duration /= std::ceil(duration / about.horizon->time);
   about.duration = duration;
-  look_at(ground, steps);
+  look_at(ground, request);
 }
 
 void settle_measure(Ground& ground, const std::optional<Measure>& asked) {
@@ -81,6 +83,7 @@ void settle_measure(Ground& ground, const std::optional<Measure>& asked) {
   const auto quantity = static_cast<std::size_t>(ground.measure.quantity);
   Result& about = ground.about;
   about.reference = ground.reference.about;
+  about.events = ground.reference.track.events;
   about.quantity = ground.measure.quantity;
   about.which = ground.measure.which;
   about.measure = sentence(ground.measure, about.compared == about.bodies);
@@ -116,7 +119,7 @@ bool refer_to_runs(Ground& ground, const GroundRequest& request, const GoOn& go_
     ++halvings;
     duration /= 2;
     ground.about.duration = duration;
-    look_at(ground, request.steps);
+    look_at(ground, request);
   }
   if (horizon) {
     horizon->sentence += fmt::format(" Paths are compared over the first {:.3g} of {:.3g} s{}.", duration, ground.whole,
@@ -134,7 +137,7 @@ std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& reques
   ground.options = request.options;
   ground.options.precision.reset();
   describe(ground);
-  look_at(ground, request.steps);
+  look_at(ground, request);
   if (request.reference == "best") {
     if (auto exact = closed_form(scene, ground.samples, ground.options)) {
       return refer(ground, std::move(exact), request, 1) ? std::optional(std::move(ground)) : std::nullopt;
@@ -142,14 +145,14 @@ std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& reques
   }
   const double end = seconds_now() + request.seconds / 2;
   const GoOn in_time = [&] { return go_on() && seconds_now() < end; };
-  stay_inside_horizon(ground, request.steps, in_time, lost);
+  stay_inside_horizon(ground, request, in_time, lost);
   if (!ground.about.horizon && seconds_now() >= end) {
     ground.about.left_out.push_back("whether runs part (chaos), and how soon: for want of time (more: --seconds)");
   }
   if (refer_to_runs(ground, request, go_on)) return ground;
   // Errors of a low order are the larger nudge: they grow to the size of the path first.
   if (ground.about.horizon || !go_on()) return std::nullopt;
-  stay_inside_horizon(ground, request.steps, go_on, std::sqrt(lost));
+  stay_inside_horizon(ground, request, go_on, std::sqrt(lost));
   if (!ground.about.horizon || !refer_to_runs(ground, request, go_on)) return std::nullopt;
   return ground;
 }

@@ -22,6 +22,7 @@ struct GroundRequest {
   double seconds = 15;                  ///< for the reference, about
   std::vector<double> steps = {};       ///< that are to be compared [s]; none: the scene's
   Options options = {};
+  std::vector<scenes::BodyEvent> events = {};
 };
 
 struct Ground {

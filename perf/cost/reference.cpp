@@ -100,6 +100,7 @@ std::optional<Track> tracked(const Scene& scene, const Setting& setting, const S
   Subject subject(scene, setting, options);
   Track track(samples);
   if (!subject.follow(samples, track, go_on) || !subject.trouble().empty() || !track.known.back()) return std::nullopt;
+  if (!subject.find_events(samples, track, go_on)) return std::nullopt;
   return track;
 }
 
@@ -108,6 +109,28 @@ void add_rounding(ReferenceTrack& reference) {
   const Bars size = size_of(reference.track);
   for (std::size_t q = 0; q < quantity_count; ++q) reference.about.error_bar[q] += half_ulp * size[q];
   reference.about.error_bar[2] += half_ulp * size[2];  // an angle is twice its chord
+}
+
+/// How sure the reference is of its events, of which `other` has less accurate times.
+void add_event_bar(ReferenceTrack& reference, const Track& other, double share = 1) {
+  const std::vector<scenes::EventTimes>& events = reference.track.events;
+  reference.about.event_bar = share * event_errors(other.events, events).time + rounding_of(events);
+}
+
+/// On the exact motions of the events' bodies; false if there is none of one of them.
+bool add_exact_events(const Scene& scene, const World& world, const Samples& samples, Track& track, Track& rounded) {
+  constexpr std::size_t fewest = 2'000, most = 20'000;
+  const std::size_t parts = std::clamp<std::size_t>(steps_in(scene.run.duration, scene.run.step), fewest, most);
+  for (const scenes::BodyEvent& event : samples.events) {
+    const std::vector<ExactMotion> motions = exact_motions(scene, world, {event.body});
+    if (motions.empty()) return false;
+    const BodyState begin = world.body(event.body);
+    const auto in_extended = [&](long double t) { return state_of(motions[0].in_extended(t), begin); };
+    const auto in_double = [&](long double t) { return state_of(motions[0].in_double(static_cast<double>(t)), begin); };
+    track.events.push_back(exact_times(event, begin, in_extended, scene.run.duration, parts));
+    rounded.events.push_back(exact_times(event, begin, in_double, scene.run.duration, parts));
+  }
+  return true;
 }
 
 /// Have two runs come as near as rounding lets them, in all that moves?
@@ -134,8 +157,9 @@ std::optional<ReferenceTrack> by_extrapolation(Scene scene, const Samples& sampl
   if (!second) return std::nullopt;
   ReferenceTrack reference{
       {"extrapolation in extended precision", fmt::format("{}, tolerances {:g} and {:g}", extrapolation, loose, tight),
-       apart(*first, *second), scale_of(*second, samples), fine, seconds_now() - begin},
+       apart(*first, *second), scale_of(*second, samples), 0, fine, seconds_now() - begin},
       std::move(*second)};
+  add_event_bar(reference, *first);
   add_rounding(reference);
   return reference;
 }
@@ -169,7 +193,7 @@ std::optional<ReferenceTrack> closed_form(const Scene& scene, const Samples& sam
   const World world(start, plain);
   const std::vector<ExactMotion> motions = exact_motions(scene, world, samples.ids);
   if (motions.empty()) return std::nullopt;
-  ReferenceTrack reference{{"closed form", "", {}, {}}, Track(samples)};
+  ReferenceTrack reference{{"closed form", "", {}, {}, 0}, Track(samples)};
   Track rounded(samples);
   for (std::size_t b = 0; b < samples.ids.size(); ++b) {
     const ExactMotion& motion = motions[b];
@@ -184,10 +208,12 @@ std::optional<ReferenceTrack> closed_form(const Scene& scene, const Samples& sam
       reference.track.known[k] = rounded.known[k] = 1;
     }
   }
+  if (!add_exact_events(scene, world, samples, reference.track, rounded)) return std::nullopt;
   constexpr double ulps = std::numeric_limits<long double>::epsilon() / std::numeric_limits<double>::epsilon();
   reference.about.scale = scale_of(reference.track, samples);
   reference.about.error_bar = apart(reference.track, rounded);
   for (double& bar : reference.about.error_bar) bar *= 2 * static_cast<double>(ulps);
+  add_event_bar(reference, rounded, 2 * static_cast<double>(ulps));
   add_rounding(reference);
   return reference;
 }
@@ -212,8 +238,9 @@ std::optional<ReferenceTrack> finest_runs(const Scene& scene, const Samples& sam
   }
   if (!last || !before) return std::nullopt;
   ReferenceTrack reference{{"two finest runs", text(setting) + " and twice that", apart(*before, *last),
-                            scale_of(*last, samples), setting, last_taken},
+                            scale_of(*last, samples), 0, setting, last_taken},
                            std::move(*last)};
+  add_event_bar(reference, *before);
   add_rounding(reference);
   return reference;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ballpark/scene.h"
+#include "perf/cost/event_times.h"
 #include "perf/cost/statistics.h"
 
 namespace ballpark::cost {
@@ -58,6 +59,7 @@ struct Errors {
   double angular_momentum = 0;                ///< |change| over the largest sum of |l|
   double quaternion_norm = 0;                 ///< largest | |q| - 1 |
   double penetration = 0;                     ///< deepest overlap [m]
+  EventErrors events;
   const Distance& operator[](Quantity q) const { return of[static_cast<std::size_t>(q)]; }
   Distance& operator[](Quantity q) { return of[static_cast<std::size_t>(q)]; }
 };
@@ -96,8 +98,9 @@ struct Reference {
   std::string what;  ///< "Kepler's equation (Danby, Fundamentals of Celestial Mechanics, 6)"
   std::array<double, quantity_count> error_bar{};  ///< of itself
   std::array<double, quantity_count> scale{};      ///< largest value along the path
-  std::optional<Setting> setting = {};             ///< that it was run with, if it was run
-  double seconds = 0;                              ///< that this took
+  double event_bar = 0;                 ///< of the times of events [s]; infinite: it is not sure of their count
+  std::optional<Setting> setting = {};  ///< that it was run with, if it was run
+  double seconds = 0;                   ///< that this took
 };
 
 /// Errors of trajectories mean something up to `time` [s].
@@ -155,9 +158,10 @@ struct Result {
   std::string which = "maximum";      ///< of the quantity's distances: "end", "maximum" or "rms"
   std::string measure, measure_unit;  ///< "largest position error along the path, of all bodies", "m"
   Reference reference;
-  double floor = 0;                  ///< no error below this is claimed: ten times the reference's own
-  double ceiling = 0;                ///< larger errors are no answer: a tenth of how far things go
-  std::vector<std::string> remarks;  ///< what else errors hold, and what was taken for it
+  std::vector<scenes::EventTimes> events;  ///< of the reference
+  std::vector<std::string> remarks;        ///< what else errors hold, and what was taken for it
+  double floor = 0;                        ///< no error below this is claimed: ten times the reference's own
+  double ceiling = 0;                      ///< larger errors are no answer: a tenth of how far things go
   std::optional<Horizon> horizon;
   std::optional<Ensemble> ensemble;
   std::vector<Curve> curves;
@@ -167,6 +171,9 @@ struct Result {
   std::optional<Recommendation> recommended;
   std::optional<Setting> scene_setting;  ///< as the scene file has it
   std::vector<Path> paths;
+
+  /// No smaller error of an event's time is claimed [s].
+  double event_floor() const { return 10 * reference.event_bar; }
 };
 
 }  // namespace ballpark::cost

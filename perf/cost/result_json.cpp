@@ -43,12 +43,17 @@ Json by_quantity(const std::array<double, quantity_count>& values) {
   return json;
 }
 
+/// Where the scene has events, and the run as many as the reference.
+bool tells_event_times(const Point& point, const Result& result) {
+  return !result.events.empty() && point.errors.events.different.empty();
+}
+
 /// Absolute, and over the reference's largest value of each quantity.
-Json errors_json(const Point& point, const Reference& reference) {
+Json errors_json(const Point& point, const Result& result) {
   Json json;
   for (std::size_t q = 0; q < quantity_count; ++q) {
     const Distance& d = point.errors.of[q];
-    const double scale = reference.scale[q];
+    const double scale = result.reference.scale[q];
     json[name(static_cast<Quantity>(q))] = {{"end", d.end},
                                             {"maximum", d.maximum},
                                             {"rms", d.rms},
@@ -59,19 +64,29 @@ Json errors_json(const Point& point, const Reference& reference) {
   json["angular_momentum"] = point.errors.angular_momentum;
   json["quaternion_norm"] = point.errors.quaternion_norm;
   json["penetration"] = point.errors.penetration;
+  json["event_time"] = tells_event_times(point, result) ? Json(point.errors.events.time) : Json(nullptr);
+  json["event_counts"] = text_or_null(point.errors.events.different);
   json["value"] = point.error;
   return json;
+}
+
+Json events_json(const Result& result) {
+  Json events = Json::object();
+  for (const scenes::EventTimes& event : result.events) {
+    events[event.name] = {{"count", event.count}, {"times", event.times}};
+  }
+  return events;
 }
 
 Json seconds_json(const Seconds& seconds) {
   return {{"min", seconds.minimum}, {"median", seconds.median}, {"max", seconds.maximum}, {"runs", seconds.runs}};
 }
 
-Json point_json(const Point& point, const Reference& reference) {
+Json point_json(const Point& point, const Result& result) {
   Json json;
   add_setting(json, point.setting);
   json["curve"] = point.curve;
-  json["error"] = errors_json(point, reference);
+  json["error"] = errors_json(point, result);
   json["claimed"] = point.claimed;
   json["pareto"] = point.front;
   json["seconds"] = seconds_json(point.seconds);
@@ -161,7 +176,9 @@ Json paths_json(const Result& result) {
   return list;
 }
 
+/// Nothing stays nothing.
 std::string quoted(std::string text) {
+  if (text.empty()) return text;
   std::replace(text.begin(), text.end(), '"', '\'');
   return '"' + text + '"';
 }
@@ -181,6 +198,8 @@ Json to_json(const Result& result) {
                        {"what", reference.what},
                        {"error_bar", by_quantity(reference.error_bar)},
                        {"scale", by_quantity(reference.scale)},
+                       {"event_time", result.events.empty() ? Json(nullptr) : Json(reference.event_bar)},
+                       {"events", events_json(result)},
                        {"floor", result.floor},
                        {"ceiling", result.ceiling}};
   json["remarks"] = result.remarks;
@@ -194,7 +213,7 @@ Json to_json(const Result& result) {
   json["ensemble"] = result.ensemble ? ensemble_json(*result.ensemble) : Json(nullptr);
   json["curves"] = curves_json(result);
   json["points"] = Json::array();
-  for (const Point& point : result.points) json["points"].push_back(point_json(point, reference));
+  for (const Point& point : result.points) json["points"].push_back(point_json(point, result));
   json["crossovers"] = result.crossovers;
   json["left_out"] = result.left_out;
   json["recommended"] = recommended_json(result);
@@ -212,7 +231,7 @@ std::string to_csv(const Result& result) {
     const char* quantity = name(static_cast<Quantity>(q));
     csv += fmt::format(",{0}_end,{0}_maximum,{0}_rms", quantity);
   }
-  csv += ",energy,momentum,angular_momentum,quaternion_norm,penetration,state_hash,trouble\n";
+  csv += ",energy,momentum,angular_momentum,quaternion_norm,penetration,event_time,event_counts,state_hash,trouble\n";
   for (const Point& p : result.points) {
     const Setting& s = p.setting;
     const ContactChoice& c = s.contact;
@@ -222,8 +241,10 @@ std::string to_csv(const Result& result) {
                        p.seconds.maximum, p.seconds.runs, p.steps, p.rejected_steps, p.force_evaluations);
     for (const Distance& d : p.errors.of) csv += fmt::format(",{:.17g},{:.17g},{:.17g}", d.end, d.maximum, d.rms);
     const Errors& e = p.errors;
-    csv += fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{}\n", e.energy, e.momentum, e.angular_momentum,
-                       e.quaternion_norm, e.penetration, p.state_hash, p.trouble.empty() ? "" : quoted(p.trouble));
+    const std::string event_time = tells_event_times(p, result) ? fmt::format("{:.9g}", e.events.time) : "";
+    csv += fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{},{},{}\n", e.energy, e.momentum, e.angular_momentum,
+                       e.quaternion_norm, e.penetration, event_time, quoted(e.events.different), p.state_hash,
+                       quoted(p.trouble));
   }
   return csv;
 }

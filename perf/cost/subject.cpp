@@ -154,6 +154,23 @@ bool Subject::follow(const Samples& samples, Track& track, const GoOn& go_on) {
   return true;
 }
 
+bool Subject::find_events(const Samples& samples, Track& track, const GoOn& go_on) {
+  if (samples.events.empty()) return true;
+  std::vector<Watch> watches;
+  track.events.clear();
+  for (const scenes::BodyEvent& event : samples.events) track.events.push_back({event.name});
+  for (std::size_t i = 0; i < samples.events.size(); ++i) {
+    watches.push_back(scenes::watch_for(samples.events[i], world_, track.events[i]));
+  }
+  world_.restore(begin_);
+  for (std::uint64_t before = 1; before != world_.steps();) {
+    before = world_.steps();
+    advance_watching(world_, scene_.run.duration, watches, steps_at_once(world_.body_count()));
+    if (!go_on()) return false;
+  }
+  return true;
+}
+
 std::string Subject::trouble() const {
   const Status& status = world_.status();
   const auto& accepted = scene_.run.accept;

@@ -44,6 +44,8 @@ class Subject {
   double run();
   /// The same run, looked at on the way, between its steps if need be. False if it was stopped.
   bool follow(const Samples& samples, Track& track, const GoOn& go_on);
+  /// The same run once more, watched for events. False if it was stopped.
+  bool find_events(const Samples& samples, Track& track, const GoOn& go_on);
   const World& world() const { return world_; }
   const Totals& start() const { return totals_; }
   /// Why its result does not count, "" if it does.

@@ -117,6 +117,11 @@ Point measured_point(const Ground& ground, const Setting& setting, const GoOn& g
   const bool everywhere = std::all_of(track.known.begin(), track.known.end(), [](char known) { return known; });
   if (point.trouble.empty() && !everywhere) point.trouble = "its steps do not meet the times that are looked at";
   const std::uint64_t looked_at = subject.world().state_hash();
+  if (!subject.find_events(ground.samples, track, go_on)) {
+    point.trouble = "takes too long";
+    return point;
+  }
+  const std::uint64_t watched = subject.world().state_hash();
   point.errors = errors_of(track, ground.reference.track, subject.start());
   point.seconds = {subject.run(), 0, 0, 1};
   const Counters counters = subject.world().counters();
@@ -124,7 +129,8 @@ Point measured_point(const Ground& ground, const Setting& setting, const GoOn& g
   point.rejected_steps = counters.rejected_steps;
   point.force_evaluations = counters.force_evaluations;
   point.state_hash = fmt::format("{:016x}", subject.world().state_hash());
-  if (point.trouble.empty() && looked_at != subject.world().state_hash()) {
+  const std::uint64_t timed = subject.world().state_hash();
+  if (point.trouble.empty() && (looked_at != timed || watched != timed)) {
     point.trouble = "the run ended in other bits than the one looked at";
   }
   point.error = ground.error_of(point.errors);

@@ -140,6 +140,7 @@ Errors errors_of(const Track& track, const Track& reference, const Totals& start
   for (std::size_t q = 0; q < quantity_count; ++q) errors.of[q].rms = std::sqrt(squares[q] / std::max(count, 1.0));
   add_drifts(errors, track, start);
   errors.penetration = track.penetration;
+  errors.events = event_errors(track.events, reference.events);
   return errors;
 }
 

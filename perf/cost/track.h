@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ballpark/scenes.h"
 #include "ballpark/world.h"
 #include "perf/cost/result.h"
 
@@ -14,6 +15,7 @@ struct Samples {
   std::vector<double> times;  ///< [s], ascending, the last one the end
   std::vector<std::size_t> ids;
   std::vector<BodyState> start;  ///< of these bodies
+  std::vector<scenes::BodyEvent> events = {};
 };
 /// `count` equal parts of the duration; all bodies of one copy, or as many as `most`, evenly spread.
 Samples samples_of(double duration, std::size_t bodies, std::size_t count, std::size_t most);
@@ -23,6 +25,7 @@ struct Track {
   std::vector<BodyState> states;  ///< time by time, in the order of the ids
   std::vector<Totals> totals;     ///< by time, of all bodies
   double penetration = 0;         ///< deepest overlap of the run [m]
+  std::vector<scenes::EventTimes> events = {};
 
   explicit Track(const Samples& samples = {});
   /// As the world is now.

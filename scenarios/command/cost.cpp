@@ -57,7 +57,8 @@ Exit verdict(const cost::Request& request, const cost::Result& result) {
 
 Exit cost_of_accuracy(const Arguments& arguments) {
   const scenes::SceneFile file = load_scene(arguments);
-  const cost::Request request = cost_request(arguments, file.scene);
+  cost::Request request = cost_request(arguments, file.scene);
+  if (!file.events.empty()) request.events = scenes::events_of(file, World(file.scene, request.options));
   Delivery delivery(arguments);
   CostFiles files(arguments, file);
   watch_for_interrupt();

@@ -23,20 +23,43 @@ std::string error_text(double error) {
   return error > 0 ? fmt::format("{:.1e}", error) : "0";
 }
 
+/// "2.3e-07", "< 1.0e-14" where no more is claimed, "other count".
+std::string event_text(const Point& point, double floor) {
+  if (!point.errors.events.different.empty()) return "other count";
+  if (!std::isfinite(floor)) return "unknown";
+  const double error = point.errors.events.time;
+  return (error < floor ? "< " : "") + error_text(std::max(error, floor));
+}
+
+std::string reference_events(const Result& result) {
+  std::string names;
+  for (const scenes::EventTimes& event : result.events) {
+    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", grouped(event.count), event.name);
+  }
+  const double bar = result.reference.event_bar;
+  const std::string sure = std::isfinite(bar) ? fmt::format("known to {} s; no error below {} s is claimed",
+                                                            error_text(bar), error_text(result.event_floor()))
+                                              : "two reference runs differ in how many there are: no error is claimed";
+  return names + ", " + sure;
+}
+
 }  // namespace
 
 void add_ground(Page& page, const cost::Result& result) {
   const auto bar = result.reference.error_bar[static_cast<std::size_t>(result.quantity)];
   const std::string compared =
       result.compared < result.bodies ? fmt::format(", {} of them compared", grouped(result.compared)) : "";
-  page.fields({{"bodies", grouped(result.bodies) + compared},
-               {"duration", number(result.duration) + " s"},
-               {"error", fmt::format("{} [{}]", result.measure, result.measure_unit)},
-               {"reference", fmt::format("{}: {}", result.reference.kind, result.reference.what)},
-               {"its own error", fmt::format("{} {}; none below {} is claimed", error_text(bar), result.measure_unit,
-                                             error_text(result.floor))},
-               {"machine", fmt::format("{}, {}", result.machine,
-                                       counted(static_cast<std::uint64_t>(result.threads), "thread", "threads"))}});
+  std::vector<std::pair<std::string, Cell>> fields{
+      {"bodies", grouped(result.bodies) + compared},
+      {"duration", number(result.duration) + " s"},
+      {"error", fmt::format("{} [{}]", result.measure, result.measure_unit)},
+      {"reference", fmt::format("{}: {}", result.reference.kind, result.reference.what)},
+      {"its own error",
+       fmt::format("{} {}; none below {} is claimed", error_text(bar), result.measure_unit, error_text(result.floor))},
+      {"machine", fmt::format("{}, {}", result.machine,
+                              counted(static_cast<std::uint64_t>(result.threads), "thread", "threads"))}};
+  if (!result.events.empty()) fields.insert(fields.end() - 1, {"events", reference_events(result)});
+  page.fields(std::move(fields));
   for (const std::string& remark : result.remarks) page.paragraph(remark);
   if (result.horizon) page.paragraph(result.horizon->sentence);
 }
@@ -51,11 +74,14 @@ void add_front(Page& page, const Result& result) {
   std::sort(front.begin(), front.end(), [](auto* a, auto* b) { return a->error > b->error; });
   page.heading("Pareto front: no setting is as accurate and faster");
   Table table{{{"error", right}, {"time", right}, {"median", right}, {"evaluations", right}, {"setting", wrap}}, {}};
+  if (!result.events.empty()) table.columns.insert(table.columns.begin() + 1, {"event times [s]", right});
   for (const Point* point : front) {
     const std::string below = point->claimed ? "" : "< ";
     table.rows.push_back({Cell(below + error_text(std::max(point->error, result.floor)), Style::strong),
                           seconds(point->seconds.minimum), seconds(point->seconds.median),
                           grouped(point->force_evaluations), text(point->setting)});
+    if (!result.events.empty())
+      table.rows.back().insert(table.rows.back().begin() + 1, event_text(*point, result.event_floor()));
   }
   page.table(table);
 }

@@ -180,11 +180,12 @@ TEST_CASE("Runs: the JSON has every key, and numbers that can be read back", "[f
                           "bodies_outside",
                           "newton_iterations",
                           "newton_residual",
+                          "events",
                           "warnings",
                           "expectations"}) {
     CHECK(json.contains(key));
   }
-  CHECK(json.size() == 35);
+  CHECK(json.size() == 36);
   CHECK(json.at("status").at("code") == "ok");
   CHECK(json.at("status").at("body").is_null());
   CHECK(json.at("time").get<double>() == report.time);

@@ -142,6 +142,26 @@ class Cost(CommandTest):
         for outside in ('src="http', 'href="http', "url(http"):
             self.assertNotIn(outside, page)
 
+    def test_events(self):
+        passing = self.write("passing.toml", SWING + '[[event]]\nname = "passing"\nquantity = "state.0.x"\n')
+        words = ["cost", passing, "--integrators", "euler,rk4", "--precisions", "double", "--seconds", "2"]
+        result = self.json(*words, "--csv", "points.csv")
+        exact_times = [(k + 0.5) * math.pi / 5 for k in range(3)]
+        self.assertEqual(result["reference"]["events"]["passing"]["count"], 3)
+        for told, time in zip(result["reference"]["events"]["passing"]["times"], exact_times):
+            self.assertAlmostEqual(told, time, delta=1e-14)
+        self.assertLess(result["reference"]["event_time"], 1e-13)
+        point = next(p for p in result["points"] if p["integrator"] == "rk4" and p["error"]["event_time"] > 1e-9)
+        run = self.json("run", passing, "--set", f"run.step={point['step']}")
+        self.assertEqual(run["state_hash"], point["state_hash"])
+        worst = max(abs(a - b) for a, b in zip(run["events"]["passing"]["times"], exact_times))
+        self.assertAlmostEqual(point["error"]["event_time"] / worst, 1, places=5)
+        self.assertIn("event_time", (self.folder / "points.csv").read_text().splitlines()[0])
+        text = self.call(*words).stdout
+        self.assertIn("event times [s]", text)
+        self.assertIn("3 passing", text)
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)
+
     def test_text(self):
         text = self.call("cost", self.swing, *FEW).stdout
         for heading in ("Pareto front", "Time to an error [m]", "Price of a step"):

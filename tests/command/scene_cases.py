@@ -105,6 +105,19 @@ class Runs(CommandTest):
         self.assertIn("MISSED", result.stdout)
         self.call("run", self.folder / "missed.toml", "--quiet", expect=1)
 
+    def test_events(self):
+        crossing = '[[event]]\nname = "down"\nquantity = "state.1.z"\nvalue = 9.0\n'
+        scene = self.write("events.toml", BALL + crossing)
+        when = (2 / 9.81) ** 0.5
+        self.assertRegex(self.call("run", scene).stdout, f"event down +once, at {when:.11f}")
+        report = self.json("run", scene)
+        self.assertEqual(report["events"]["down"]["count"], 1)
+        self.assertAlmostEqual(report["events"]["down"]["times"][0], when, delta=1e-14)
+        self.assertEqual(report["state_hash"], self.json("run", self.scene)["state_hash"])
+        wrong = crossing.replace("state.1.z", "state.1.zz")
+        for command in ("run", "check", "cost"):
+            self.refused(command, self.write("wrong.toml", BALL + wrong), says=["event[0].quantity", "expected one of x"])
+
     def test_leaving_the_stability_limit(self):
         stiff = BALL.replace('kind = "gravity"', 'kind = "spring"\nanchor = [0.0, 0.0, 0.0]\nstiffness = 1e6')
         result = self.call("run", self.write("stiff.toml", stiff), expect=3)

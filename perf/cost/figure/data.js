@@ -83,6 +83,15 @@ export function measures(result) {
       });
     }
   }
+  add({
+    key: "event_time",
+    group: "events",
+    option: "largest error of a time",
+    name: "largest error of an event's time",
+    unit: "s",
+    floor: 10 * (result.reference?.event_time ?? 0),
+    of: (p) => p.error?.event_time,
+  });
   for (const [key, [name, unit]] of Object.entries(others)) {
     add({ key, group: "what should not change", option: name, name, unit, floor: 0, of: (p) => p.error?.[key] });
   }

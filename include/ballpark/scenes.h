@@ -104,8 +104,8 @@ inline constexpr std::size_t most_event_times = 1000;
 
 /// The file's events. Throws SceneFileError if one names a quantity that no body's state has.
 std::vector<BodyEvent> events_of(const SceneFile& file, const World& world);
-/// For advance_watching: notes in `into` when the event is; all three must outlive it. A time that `into` has already is
-/// not noted again.
+/// For advance_watching: notes in `into` when the event is; all three must outlive it. A time that `into` has already
+/// is not noted again.
 Watch watch_for(const BodyEvent& event, const World& world, EventTimes& into);
 
 /// Verdict on one expectation. A measured value that is not finite is never met.
@@ -155,8 +155,8 @@ struct RunHooks {
 };
 
 /// Builds the world, steps it to the scene's duration, samples outputs and expectations at the steps nearest to their
-/// times, finds the times of events between steps, and judges. Throws SceneFileError if an expectation or an event names
-/// a quantity that does not exist (before stepping).
+/// times, finds the times of events between steps, and judges. Throws SceneFileError if an expectation or an event
+/// names a quantity that does not exist (before stepping).
 RunReport run(const SceneFile& file, const Options& options = {}, const RunHooks& hooks = {});
 
 }  // namespace ballpark::scenes

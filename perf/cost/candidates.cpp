@@ -90,9 +90,8 @@ constexpr const char* enough_to_turn[] = {"rk4",   "velocity_verlet", "dormand_p
 /// Impulse contacts are of first order whatever moves the bodies between them: a few integrators tell all.
 constexpr const char* enough_for_impulse[] = {"semi_implicit_euler", "velocity_verlet", "rk4", "euler"};
 
-/// Of penalty contacts in place of the scene's own: their error is that of the springs. (Adaptive steps grow in flight,
-/// and land deep in what they meet.)
-constexpr const char* enough_for_penalty[] = {"velocity_verlet", "rk4", "semi_implicit_euler"};
+/// Of penalty contacts in place of the scene's own: with fixed steps and steps that shorten where bodies touch.
+constexpr const char* enough_for_penalty[] = {"velocity_verlet", "rk4", "dormand_prince5"};
 
 /// For scenes whose stiffness limits the steps of explicit methods. (Others cost them several evaluations a step.)
 constexpr const char* for_stiffness[] = {"backward_euler", "implicit_midpoint"};

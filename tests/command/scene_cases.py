@@ -109,7 +109,7 @@ class Runs(CommandTest):
         crossing = '[[event]]\nname = "down"\nquantity = "state.1.z"\nvalue = 9.0\n'
         scene = self.write("events.toml", BALL + crossing)
         when = (2 / 9.81) ** 0.5
-        self.assertRegex(self.call("run", scene).stdout, f"event down +once, at {when:.11f}")
+        self.assertRegex(self.call("run", scene).stdout, f"event down +once, at {when:.12g}")
         report = self.json("run", scene)
         self.assertEqual(report["events"]["down"]["count"], 1)
         self.assertAlmostEqual(report["events"]["down"]["times"][0], when, delta=1e-14)

@@ -5,6 +5,7 @@
 
 #include "engine/core/nearest.h"
 #include "engine/world/check.h"
+#include "engine/world/interface.h"
 
 namespace ballpark {
 
@@ -158,6 +159,11 @@ void check_integrator(const Scene& scene, Problems& problems) {
            " iterates for its stages where contacts give no derivatives, but a penalty contact with restitution below "
            "1 pushes at once as surfaces meet, and one with friction remembers how it slid; expected neither, or "
            "another integrator, e.g. rk4");
+  }
+  if (row.adaptive && penalty && scene.run.tolerance > 0 && !f64::estimates_at_end(row.name)) {
+    refuse(row.name +
+           " has no force at the end of a step in its error: a penalty contact that begins there goes unseen; expected "
+           "another adaptive integrator, e.g. dormand_prince8");
   }
   if (row.family == "Taylor" && scene.contact.kind == "penalty") {
     refuse(

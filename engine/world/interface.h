@@ -67,6 +67,7 @@ StepLimit step_limit(std::string_view integrator, double h, double k, double c, 
   std::unique_ptr<WorldInterface> make_world(const Scene&, const Options&, std::vector<UserEffect>); \
   std::vector<EffectDescription> describe_effects();                                                 \
   std::vector<IntegratorDescription> describe_integrators();                                         \
+  bool estimates_at_end(std::string_view integrator);                                                \
   }
 BALLPARK_PRECISION_FACE(f32)
 BALLPARK_PRECISION_FACE(f64)

@@ -250,6 +250,17 @@ std::vector<IntegratorDescription> describe_integrators() {
   return all;
 }
 
+/// Does its error hold a force at the end of the step?
+bool estimates_at_end(std::string_view integrator) {
+  const Method pair = pair_for(*find_row(integrator), 1, 1);
+  for (int p = 0; p < pair.phases; ++p) {
+    for (int e = 0; e < pair.errors; ++e) {
+      if (pair.error[e][p] != 0 && std::abs(pair.offset[p] - 1) < 1e-6) return true;
+    }
+  }
+  return false;
+}
+
 void Builder::check_stability() {
   if (world_.adaptive_) return;  // the tolerance keeps steps small enough
   for (const auto& [group, per_mass] : local_stiffness_) check_stability("group " + group->name, per_mass);

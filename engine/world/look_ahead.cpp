@@ -14,9 +14,9 @@ namespace ballpark::BALLPARK_PRECISION {
 
 namespace {
 
-/// Times this close to the end of a step, in steps, are on it.
+/// A run takes a step that ends this little beyond a time, in steps.
 constexpr double on_the_step = 1e-9;
-/// And as close as rounding lets a time be told, where steps are tiny.
+/// What rounding leaves open of a time.
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
@@ -36,8 +36,8 @@ bool World::approach(double t, double end, std::uint64_t most_steps) {
 }
 
 void World::look_ahead(double t, FunctionRef<void()> look) {
-  const double near = adaptive_ ? 0 : std::max(on_the_step * step_, rounding * t);
-  if (std::abs(t - time()) <= near) return look();
+  const double near = adaptive_ ? 0 : rounding * t;
+  if (t <= time() + near && t >= time() - near - on_the_step * step_) return look();
   if (!(t > time())) {
     throw SceneError("look_ahead",
                      fmt::format("{} s is before {} s, where the world is; expected a later time", t, time()));
@@ -66,9 +66,9 @@ void World::look_ahead(double t, FunctionRef<void()> look) {
 
 void World::go_aside(double t) {
   if (adaptive_) return run(std::numeric_limits<std::uint64_t>::max(), t);
-  step(static_cast<std::uint64_t>((t - time()) / step_ + on_the_step));
+  step(static_cast<std::uint64_t>((t - time() + rounding * t) / step_));
   const double rest = t - time();
-  if (!(rest > on_the_step * step_)) return;
+  if (!(rest > rounding * t)) return;
   part_of_step(rest);
   part_ += rest;
 }

@@ -90,6 +90,17 @@ TEST_CASE("the time of an event is found to rounding where steps are exact", "[p
   CHECK(std::abs(tops[0] - apex) < 4e-16);
 }
 
+TEST_CASE("an event just beside the end of a step is told to rounding", "[physics]") {
+  for (const double off : {-1e-13, -1e-15, 0.0, 1e-15, 1e-13}) {
+    World world(scene(particle({off, 0, 0}, {1, 0, 0}), {}, 4, 0.5));
+    std::vector<double> times;
+    const std::vector<Watch> watches{zero_of([&] { return world.body(0).position.x() - 1.5; }, times)};
+    advance_watching(world, 4, watches);
+    REQUIRE(times.size() == 1);
+    CHECK(std::abs(times[0] - (1.5 - off)) < 2e-15);
+  }
+}
+
 TEST_CASE("the times of a swing's passages follow the tolerance", "[physics]") {
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
     World world(swing("dormand_prince8", 0, tolerance));

@@ -37,6 +37,23 @@ constexpr Option run_options[] = {
     {"--every", "S", "with --out: a frame every S seconds of simulated time", &Arguments::every},
     {"--out", "FILE", "write the frames, .npz or .csv", &Arguments::out},
 };
+constexpr Option view_options[] = {
+    {"--out", "FILE", "what is written (default: SCENE.html, with --still SCENE.png)", &Arguments::out},
+    {"--frames", "N", "frames, from the start to the end (default: 301)", &Arguments::frames},
+    {"--every", "S", "or one every S seconds of simulated time", &Arguments::every},
+    {"--max-size", "SIZE", "of the page (default: 30M); bodies are left out to keep it", &Arguments::max_size},
+    {"--columns", "LIST", "of position, orientation, speed, energy, contacts (default: the first three)",
+     &Arguments::columns},
+    {"--with", "SCENE", "this one too, in step with it", &Arguments::with},
+    {"--compare", "KEY=LIST", "a run for each value, for example integrator=euler,rk4", &Arguments::compare},
+};
+constexpr Option still_options[] = {
+    {"--still", "T", "a picture of the moment T [s] instead of a page, .png or .svg", &Arguments::still},
+    {"--size", "WxH", "pixels (default: 1280x800)", &Arguments::size},
+    {"--colour", "WORD", "by speed, group or plain (default: speed)", &Arguments::colour},
+    {"--from", "X,Y,Z", "direction to look from (default: obliquely, or before the plane of a flat motion)",
+     &Arguments::from},
+};
 constexpr Option profile_options[] = {
     {"--steps", "N", "steps of each repeat (default: as many as the time allows)", &Arguments::steps},
     {"--seconds", "S", "time for all measuring, about (default: 5)", &Arguments::seconds},
@@ -105,6 +122,8 @@ const Command commands[] = {
     {"run", "SCENE", scene_doc, "Simulate a scene and print what happened.", help::run, true, run_options, "Files"},
     {"explain", "SCENE", scene_doc, "Show what a scene makes the engine do, and why.", help::explain, true, {}, ""},
     {"check", "SCENE", scene_doc, "Validate a scene without running it.", help::check, true, {}, ""},
+    {"view", "SCENE", scene_doc, "Write a page that plays a scene's motion, or a picture of a moment.", help::view,
+     true, view_options, "Page", still_options, "Picture"},
     {"profile", "SCENE", scene_doc, "Measure where the time goes, and thread scaling.", help::profile, true,
      profile_options, "Measuring"},
     {"cost", "SCENE", scene_doc, "Measure error against wall time over the ways to run a scene.", help::cost, true,

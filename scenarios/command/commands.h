@@ -14,6 +14,7 @@ Exit describe(const Arguments& arguments);
 Exit run(const Arguments& arguments);
 Exit explain(const Arguments& arguments);
 Exit check_scene(const Arguments& arguments);
+Exit view_motion(const Arguments& arguments);
 Exit profile(const Arguments& arguments);
 Exit cost_of_accuracy(const Arguments& arguments);
 Exit order_of_accuracy(const Arguments& arguments);

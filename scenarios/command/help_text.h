@@ -8,6 +8,7 @@ inline constexpr const char* program =
     "First steps:\n"
     "  ballpark list scenarios           what can be run at once\n"
     "  ballpark run projectile           run one of them\n"
+    "  ballpark view break               see it: a page for your browser\n"
     "  ballpark describe scene           how to write a scene of your own";
 
 inline constexpr const char* scene_word =
@@ -72,6 +73,24 @@ inline constexpr const char* check =
     "\n"
     "Prints `ok: ...`, or each problem as file:line:column: key: message on standard\n"
     "error (exit code 2). With --json the problems are on standard output as well.\n";
+
+inline constexpr const char* view =
+    "Examples:\n"
+    "  ballpark view break\n"
+    "  ballpark view pendulum --compare integrator=euler,rk4 --out euler.html\n"
+    "  ballpark view break --still 0.5 --out break.png\n"
+    "\n"
+    "Runs the scene and writes one file that plays it in a browser, without a network.\n"
+    "Positions are rounded to 1/65535 of the box that holds them all; the page says to\n"
+    "how many metres. Balls that spin are given orientations, which show it, up to\n"
+    "1,000 bodies, or where --columns asks for them. contacts: bodies and walls that a\n"
+    "body touches. At most 100,000 bodies are shown, and no more than --max-size and\n"
+    "1 GB of memory for the frames have room for: every k-th of each group, said so.\n"
+    "\n"
+    "--with and --compare play runs side by side at the same times; --set applies to\n"
+    "all of them. A KEY of --compare without a dot is one of [run].\n"
+    "--still: the camera sees all places where bodies were until then.\n"
+    "After Ctrl-C the page holds the frames so far.\n";
 
 inline constexpr const char* profile =
     "Example:\n"

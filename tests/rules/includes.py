@@ -20,7 +20,8 @@ MAY_INCLUDE = {
     "include/ballpark": ["ballpark"],
     "scenarios/files": ["ballpark"],
     "perf": ["scenarios/files", "engine/collide", "ballpark"],  # the grid is measured apart, beside a peer
-    "scenarios/command": ["perf", "scenarios/files", "ballpark"],
+    "scenarios/view": ["perf", "scenarios/files", "ballpark"],  # perf draws
+    "scenarios/command": ["scenarios/view", "perf", "scenarios/files", "ballpark"],
 }
 # The public face's plain values (they compute nothing) are the vocabulary of what is checked and explained.
 PLAIN_VALUES = ["ballpark/scene.h", "ballpark/catalogue.h", "ballpark/options.h", "ballpark/report.h",
@@ -31,7 +32,7 @@ FACE_LIBRARIES = ["Eigen/"]
 
 # A library that one file alone includes, and the folders where there may be such a file. The tests are not asked.
 ONE_FILE = {r"<(oneapi/)?tbb/": ["engine/core"], r"<CLI/": ["scenarios/command", "perf"],
-            r"<toml\+\+/": ["scenarios/files"]}
+            r"<toml\+\+/": ["scenarios/files"], r"<zlib\.h>": ["scenarios/view"]}
 
 # Kernel files, with all that they include, keep to plain loops and simd: no template of these may be built in them.
 NOT_IN_KERNELS = re.compile(r"<(Eigen/|(algorithm|any|array|bit|deque|format|functional|iostream|list|map|memory|"

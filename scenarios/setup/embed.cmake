@@ -1,6 +1,7 @@
-# cmake -DINPUT=file -DOUTPUT=file.cpp -DNAME=name -P embed.cmake: a source that defines, in ballpark::cost::figure,
-# `extern const std::string_view NAME`: the file's bytes. Characters, not a literal: compilers limit their length.
-foreach(variable INPUT OUTPUT NAME)
+# cmake -DINPUT=file -DOUTPUT=file.cpp -DSPACE=a::b -DNAME=name -P embed.cmake: a source that defines, in that
+# namespace, `extern const std::string_view NAME`: the file's bytes. Characters, not a literal: compilers limit its
+# length.
+foreach(variable INPUT OUTPUT SPACE NAME)
   if(NOT DEFINED ${variable})
     message(FATAL_ERROR "embed.cmake: -D${variable}=... is missing")
   endif()
@@ -11,11 +12,11 @@ get_filename_component(file "${INPUT}" NAME)
 file(WRITE "${OUTPUT}" "// The bytes of ${file}.
 #include <string_view>
 
-namespace ballpark::cost::figure {
+namespace ${SPACE} {
 
 extern const std::string_view ${NAME};
 static constexpr char bytes[] = {${bytes}'\\0'};
 constinit const std::string_view ${NAME}(bytes, sizeof bytes - 1);
 
-}  // namespace ballpark::cost::figure
+}  // namespace ${SPACE}
 ")

@@ -9,7 +9,7 @@ class Usage(CommandTest):
     def test_help_and_version(self):
         self.assertRegex(self.call("--version").stdout, r"^ballpark \d+\.\d+\.\d+\n$")
         self.assertIn("profile", self.call("--help").stdout)
-        for command in "list describe run explain check profile cost order".split():
+        for command in "list describe run explain check view profile cost order".split():
             text = self.call(command, "--help").stdout
             self.assertRegex(text, r"Examples?:\n  ballpark " + command)
             self.assertIn("Exit codes", text)

@@ -18,7 +18,7 @@ class Usage(CommandTest):
     def test_commands_and_options_that_do_not_exist(self):
         self.refused(says="command is missing")
         self.refused("rum", self.scene, says="did you mean 'run'")
-        for later in "ablate stress view".split():
+        for later in "ablate stress".split():
             self.refused(later, self.scene, says=f"no command '{later}'")
         self.refused("run", self.scene, "--thread", "2", says="did you mean --threads?")
         self.refused("run", self.scene, "--steps", "2", says="unknown option --steps")

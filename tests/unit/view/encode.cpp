@@ -96,6 +96,8 @@ TEST_CASE("a body that stays where it is has a box of no size") {
 
 TEST_CASE("the header says what the page needs") {
   Recording recording = wandering(5, 3);
+  recording.position[2] = 2;
+  recording.position[5] = 102;
   Boundary box, tube;
   box.shape = "box";
   box.point = {1, 2, 3};

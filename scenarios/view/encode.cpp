@@ -71,9 +71,9 @@ void add_amount(Columns& columns, const std::string& name, const std::string& un
 std::string length_text(double metres) {
   constexpr std::pair<double, const char*> units[] = {{1e3, "km"}, {1, "m"}, {1e-3, "mm"}, {1e-6, "um"}, {1e-9, "nm"}};
   for (const auto& [size, unit] : units) {
-    if (metres >= size) return fmt::format("{:.2g} {}", metres / size, unit);
+    if (metres >= 0.9995 * size) return fmt::format("{:.3g} {}", metres / size, unit);
   }
-  return fmt::format("{:.2g} m", metres);
+  return fmt::format("{:.3g} m", metres);
 }
 
 std::string grouped(std::size_t n) {

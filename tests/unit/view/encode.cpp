@@ -119,7 +119,7 @@ TEST_CASE("the header says what the page needs") {
         nlohmann::json{{"name", "position"}, {"components", 3}, {"bits", 16}, {"differences", 2}});
   CHECK(header["columns"][2]["unit"] == "m/s");
   CHECK(header["series"][0]["values"][0].is_null());
-  CHECK(holds(header["notes"][0].get<std::string>(), "1.5 mm"));
+  CHECK(holds(header["notes"][0].get<std::string>(), "rounded to 1.53 mm"));
 }
 
 TEST_CASE("bodies are left out to keep a limit, the first of each group never") {

@@ -64,7 +64,7 @@ std::vector<Recorded> record_all(const ViewRequest& request, const Options& opti
 }
 
 Exit exit_code(const std::vector<Recorded>& all, const ViewRequest& request) {
-  if (interrupted()) return interrupted_exit;
+  if (all.back().report.interrupted || all.size() < request.subjects.size()) return interrupted_exit;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Status& status = all[i].report.status;
     if (status.code != Status::Code::ok && !accepted(request.subjects[i].file.scene, status)) return contract_left;
@@ -80,17 +80,22 @@ std::string title_of(const std::vector<Recorded>& all) {
   return title;
 }
 
-std::vector<Encoded> encoded(const std::vector<Recorded>& all, std::size_t max_size) {
+/// Bytes that a page has for its runs. Throws UsageError.
+std::size_t room_of(const ViewRequest& request, const std::string& title) {
+  constexpr std::size_t marks = 100;  // around the data of a run
+  const std::size_t own = view::page_size(title) + marks * request.subjects.size();
+  if (request.max_size > own) return request.max_size - own;
+  throw UsageError(fmt::format("--max-size: {} are not enough: a page without bodies takes {}",
+                               bytes(static_cast<double>(request.max_size)), bytes(static_cast<double>(own))));
+}
+
+std::vector<Encoded> encoded(const std::vector<Recorded>& all, const ViewRequest& request) {
   std::vector<const Recording*> recordings;
   for (const Recorded& one : all) recordings.push_back(&one.recording);
-  const std::size_t own = view::page_size(title_of(all)) + 100 * all.size();  // marks around each run's data
-  const std::size_t room = max_size > own ? max_size - own : 0;
-  std::optional<std::vector<Encoded>> runs = view::encode_within(recordings, room);
+  std::optional<std::vector<Encoded>> runs = view::encode_within(recordings, room_of(request, title_of(all)));
   if (runs) return std::move(*runs);
-  throw UsageError(
-      fmt::format("--max-size: {} are not enough: the page itself takes {}, and one body of each group must "
-                  "have room beside it",
-                  bytes(static_cast<double>(max_size)), bytes(static_cast<double>(own))));
+  throw UsageError(fmt::format("--max-size: {} are not enough for one body of each group in {} frames",
+                               bytes(static_cast<double>(request.max_size)), recordings[0]->times.size()));
 }
 
 std::string columns_text(const Encoded& run) {
@@ -154,7 +159,7 @@ void warn_of(const std::vector<Recorded>& all, const std::vector<Encoded>& runs)
 
 void write_page(const std::vector<Recorded>& all, const ViewRequest& request, OutputFile& file, Delivery& delivery,
                 bool quiet) {
-  const std::vector<Encoded> runs = encoded(all, request.max_size);
+  const std::vector<Encoded> runs = encoded(all, request);
   const std::string content = view::page(title_of(all), runs);
   write(file, content);
   delivery.text(text_of(all, runs, file.path(), content.size()));
@@ -190,26 +195,23 @@ void write_picture(const Recorded& one, const ViewRequest& request, OutputFile& 
 Exit view_motion(const Arguments& arguments) {
   const Options options = run_options(arguments);
   const ViewRequest request = view_request(arguments, options);
+  if (!request.still) room_of(request, "");  // before anything runs
   OutputFile file(request.out);
   Delivery delivery(arguments);
   watch_for_interrupt();
   const std::vector<Recorded> all = record_all(request, options, arguments.quiet);
   const Exit code = exit_code(all, request);
-  if (request.still && interrupted()) {
-    complain(fmt::format("'{}' was not written: the run did not reach the moment", request.out));
-    return code;
-  }
-  if (request.still) {
+  if (!request.still) {
+    write_page(all, request, file, delivery, arguments.quiet);
+  } else if (code != interrupted_exit) {
     write_picture(all.front(), request, file, delivery);
   } else {
-    write_page(all, request, file, delivery, arguments.quiet);
+    complain(fmt::format("'{}' was not written: the run did not reach the moment", request.out));
   }
-  if (code == contract_left) {
-    for (const Recorded& one : all) {
-      if (one.report.status.code != Status::Code::ok && (arguments.quiet || request.still)) {
-        complain(one.report.status.sentence);
-      }
-    }
+  const bool told = !request.still && !arguments.quiet;  // among the warnings
+  for (const Recorded& one : all) {
+    const Status& status = one.report.status;
+    if (code == contract_left && !told && status.code != Status::Code::ok) complain(status.sentence);
   }
   return code;
 }

@@ -154,6 +154,8 @@ class View(CommandTest):
         self.assertEqual((self.folder / "a.svg").read_text().count("<circle"), 2)
 
     def test_refusals(self):
+        one_frame = self.json("view", self.scene, "--frames", "1", "--out", "small.html")["bytes"]
+        os.remove(self.folder / "small.html")
         for words, says in [
                 (["--out", "a.txt"], ["--out", ".html"]),
                 (["--out", "a.png"], ["--still T"]),
@@ -171,6 +173,7 @@ class View(CommandTest):
                 (["--columns", "positoin"], ["--columns", "did you mean 'position'"]),
                 (["--max-size", "1k"], ["--max-size", "not enough"]),
                 (["--max-size", "much"], ["--max-size"]),
+                (["--max-size", one_frame], ["--max-size", "one body of each group"]),
                 (["--compare", "integrator=euler"], ["--compare", "2 to 8"]),
                 (["--compare", "euler,rk4"], ["--compare"]),
                 (["--compare", "integrator=euler,rk5"], ["rk5"]),

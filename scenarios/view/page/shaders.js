@@ -1,0 +1,135 @@
+// Balls as camera-facing squares that a ray meets as exact spheres: four corners or one point for each, whatever its
+// size on screen. Positions come as 16-bit values of two neighbouring frames.
+
+/// Where a body is between two frames, and how it is turned.
+export const motion = /* glsl */ `
+uniform mat4 modelViewMatrix, projectionMatrix, viewMatrix;
+uniform vec3 boxFrom, boxSize, period;  // period: of space, in units of the box; 0: it does not repeat
+uniform float mixing;
+in vec3 place0, place1;
+#ifdef TURNS
+in vec3 turn0, turn1;
+#endif
+
+vec3 place() {
+  vec3 way = place1 - place0;
+  way -= period * floor(way / max(period, 1e-6) + 0.5);
+  return boxFrom + boxSize * (place0 + mixing * way);
+}
+
+#ifdef TURNS
+vec4 quaternion(vec3 stored) {
+  vec3 xyz = stored * 2.0 - 1.0;
+  return vec4(xyz, sqrt(max(0.0, 1.0 - dot(xyz, xyz))));
+}
+
+vec4 turned() {
+  vec4 a = quaternion(turn0), b = quaternion(turn1);
+  return normalize(mix(a, dot(a, b) < 0.0 ? -b : b, mixing));
+}
+#endif
+`;
+
+export const ballVertex = /* glsl */ `
+precision highp float;
+${motion}
+#ifdef CORNERS
+in vec3 position;
+#endif
+in float radius;
+in vec4 tint;  // alpha: has it a pattern?
+in float value0, value1;
+uniform float valueMixing, useMap, pointPixels, leastPixels, room;
+uniform vec2 mapRange, screen;
+uniform sampler2D map;
+flat out vec3 centre, colour;
+flat out float size, pixels, pattern;
+flat out vec4 turn;
+
+/// Where a sphere's edges are seen along one axis: x / depth of the two tangents from the eye.
+vec2 edges(float x, float depth, float r) {
+  float t = sqrt(x * x + depth * depth - r * r);
+  return vec2((x * t - depth * r) / (depth * t + x * r), (x * t + depth * r) / (depth * t - x * r));
+}
+
+void main() {
+  centre = (modelViewMatrix * vec4(place(), 1.0)).xyz;
+  float depth = -centre.z;
+  vec2 zoom = vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
+  float perPixel = depth / (0.5 * screen.y * zoom.y);
+  size = radius > 0.0 ? max(radius, leastPixels * perPixel) : pointPixels * perPixel;
+  pixels = size / perPixel;
+  float value = (mix(value0, value1, valueMixing) - mapRange.x) / (mapRange.y - mapRange.x);
+  colour = useMap > 0.5 ? texture(map, vec2(clamp(value, 0.002, 0.998), 0.5)).rgb : tint.rgb;
+  pattern = radius > 0.0 ? tint.a : 0.0;
+#ifdef TURNS
+  turn = turned();
+#else
+  turn = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+  vec2 x = edges(centre.x, depth, size) * zoom.x, y = edges(centre.y, depth, size) * zoom.y;
+  vec2 middle = 0.5 * vec2(x.x + x.y, y.x + y.y);
+  vec2 extent = 0.5 * vec2(x.y - x.x, y.y - y.x) + room / screen;
+  float far = (projectionMatrix[2][2] * centre.z + projectionMatrix[3][2]) / depth;
+#ifdef CORNERS
+  gl_Position = vec4(middle + position.xy * extent, far, 1.0);
+#else
+  gl_PointSize = max(extent.x * screen.x, extent.y * screen.y);
+  gl_Position = vec4(middle, far, 1.0);
+#endif
+  if (depth < 1.001 * size) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // the eye is inside it, or before it
+}
+`;
+
+export const ballFragment = /* glsl */ `
+precision highp float;
+uniform mat4 projectionMatrix, viewMatrix;
+uniform vec2 screen, corner;  // of this view on the canvas, in pixels
+uniform float stripes, ambient;
+flat in vec3 centre, colour;
+flat in float size, pixels, pattern;
+flat in vec4 turn;
+out vec4 seen;
+
+vec3 turnedBack(vec3 v, vec4 q) { return v + 2.0 * cross(cross(v, q.xyz) + q.w * v, q.xyz); }
+
+/// The pattern of a pool ball: pale caps about the z axis of the body, and a pale spot at either end of its x axis.
+float pale(vec3 n) {
+  float soft = 1.5 / pixels;
+  float cap = smoothstep(0.62 - soft, 0.62 + soft, abs(n.z));
+  float spot = smoothstep(0.93 - 0.4 * soft, 0.93 + 0.4 * soft, abs(n.x));
+  return max(cap, spot) * smoothstep(2.5, 5.0, pixels);
+}
+
+void main() {
+  vec2 place = (gl_FragCoord.xy - corner) / screen * 2.0 - 1.0;
+  vec3 ray = vec3(place / vec2(projectionMatrix[0][0], projectionMatrix[1][1]), -1.0);
+  float along = dot(ray, centre) / dot(ray, ray);
+  vec3 beside = ray * along - centre;  // of the ray's nearest point to the centre: no difference of large squares
+  float inside = size * size - dot(beside, beside);
+#ifdef SMOOTH
+  float cover = clamp((1.0 - length(beside) / size) * pixels + 0.5, 0.0, 1.0);
+  if (cover <= 0.0) discard;
+#else
+  float cover = 1.0;
+  if (inside < 0.0) discard;
+#endif
+  vec3 met = ray * (along - sqrt(max(inside, 0.0) / dot(ray, ray)));
+  vec3 normal = normalize(met - centre);
+  gl_FragDepth = 0.5 - 0.5 * (projectionMatrix[2][2] * met.z + projectionMatrix[3][2]) / met.z;
+
+  vec3 base = colour;
+#ifdef TURNS
+  if (stripes * pattern > 0.5) {
+    vec3 own = turnedBack(transpose(mat3(viewMatrix)) * normal, turn);
+    base = mix(base, mix(base, vec3(1.0, 0.985, 0.95), 0.86), pale(own));
+  }
+#endif
+  float sky = 0.5 + 0.5 * dot(normal, mat3(viewMatrix) * vec3(0.0, 0.0, 1.0));
+  vec3 lamp = vec3(-0.40, 0.55, 0.73);
+  float lit = max(dot(normal, lamp), 0.0);
+  float shine = pow(max(dot(reflect(-lamp, normal), normalize(-met)), 0.0), 32.0);
+  float shade = mix(1.0, ambient + 0.16 * sky + (0.92 - ambient) * lit, smoothstep(1.0, 4.0, pixels));
+  seen = vec4(base * shade + 0.16 * shine * smoothstep(3.0, 8.0, pixels), cover);
+}
+`;

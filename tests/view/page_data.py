@@ -34,7 +34,7 @@ def encoded(frames, bits, differences):
 
 
 def packed(data):
-    return base64.b64encode(zlib.compress(data, 6)).decode()
+    return base64.b64encode(zlib.compress(data, 1)).decode()
 
 
 def run(times, positions, radius=0.0, orientations=None, columns=(), **header):
@@ -67,9 +67,9 @@ def page(runs, title="test"):
     """The page of some runs, each (header, data)."""
     read = lambda name: (FOLDER / name).read_text()
     data = "\n".join(f'<script type="text/plain" id="data-{i}">{text}</script>' for i, (_, text) in enumerate(runs))
-    parts = {"@TITLE@": title, "@STYLE@": read("view.css"),
-             "@RUNS@": json.dumps([header for header, _ in runs]).replace("<", "\\u003c"), "@DATA@": data,
-             "@SCRIPT@": read("view.bundle.js")}
+    parts = {"{{title}}": title, "{{css}}": read("view.css"),
+             "{{runs}}": json.dumps([header for header, _ in runs]).replace("<", "\\u003c"), "{{data}}": data,
+             "{{bundle}}": read("view.bundle.js")}
     rest, out = read("template.html"), ""
     for mark, text in parts.items():  # in the template's order: what is put in is never searched
         before, rest = rest.split(mark, 1)

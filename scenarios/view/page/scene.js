@@ -10,7 +10,7 @@ import { css, mapTexels } from "./colours.js";
 import { mostWithPaths, paths } from "./paths.js";
 
 // So many balls are drawn with smooth edges; of more the edges are too many.
-const mostSmooth = 20000;
+const mostSmooth = 4096;
 
 export class Scene {
   constructor(canvas, runs, changed) {
@@ -132,6 +132,12 @@ export class Scene {
     pointPixels.value = ratio * (balls.run.bodies <= 100 ? 6 : balls.run.bodies <= 5000 ? 3 : 1.25);
     if (own) own.wide.value = 3 * ratio;
     this.renderer.render(group, this.camera);
+  }
+
+  /// Waits until all is drawn.
+  finish() {
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
   /// As narrow as everything allows, so that depths are told apart.

@@ -42,9 +42,11 @@ in float value0, value1;
 uniform float valueMixing, useMap, pointPixels, leastPixels, room;
 uniform vec2 mapRange, screen;
 uniform sampler2D map;
-flat out vec3 centre, colour;
-flat out float size, pixels, pattern;
+flat out vec4 ball;  // its centre, seen from the eye, and radius
+flat out uint paint;  // its colour, and has it a pattern?
+#ifdef TURNS
 flat out vec4 turn;
+#endif
 
 /// Where a sphere's edges are seen along one axis: x / depth of the two tangents from the eye.
 vec2 edges(float x, float depth, float r) {
@@ -53,19 +55,18 @@ vec2 edges(float x, float depth, float r) {
 }
 
 void main() {
-  centre = (modelViewMatrix * vec4(place(), 1.0)).xyz;
+  vec3 centre = (modelViewMatrix * vec4(place(), 1.0)).xyz;
   float depth = -centre.z;
   vec2 zoom = vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
   float perPixel = depth / (0.5 * screen.y * zoom.y);
-  size = radius > 0.0 ? max(radius, leastPixels * perPixel) : pointPixels * perPixel;
-  pixels = size / perPixel;
+  float size = radius > 0.0 ? max(radius, leastPixels * perPixel) : pointPixels * perPixel;
+  ball = vec4(centre, size);
   float value = (mix(value0, value1, valueMixing) - mapRange.x) / (mapRange.y - mapRange.x);
-  colour = useMap > 0.5 ? texture(map, vec2(clamp(value, 0.002, 0.998), 0.5)).rgb : tint.rgb;
-  pattern = radius > 0.0 ? tint.a : 0.0;
+  vec3 colour = useMap > 0.5 ? texture(map, vec2(clamp(value, 0.002, 0.998), 0.5)).rgb : tint.rgb;
+  uvec4 bytes = uvec4(vec4(colour, radius > 0.0 ? tint.a : 0.0) * 255.0 + 0.5);
+  paint = bytes.r | bytes.g << 8 | bytes.b << 16 | bytes.a << 24;
 #ifdef TURNS
   turn = turned();
-#else
-  turn = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
   vec2 x = edges(centre.x, depth, size) * zoom.x, y = edges(centre.y, depth, size) * zoom.y;
   vec2 middle = 0.5 * vec2(x.x + x.y, y.x + y.y);
@@ -86,22 +87,27 @@ precision highp float;
 uniform mat4 projectionMatrix, viewMatrix;
 uniform vec2 screen, corner;  // of this view on the canvas, in pixels
 uniform float stripes, ambient;
-flat in vec3 centre, colour;
-flat in float size, pixels, pattern;
+flat in vec4 ball;
+flat in uint paint;
+#ifdef TURNS
 flat in vec4 turn;
+#endif
 out vec4 seen;
 
 vec3 turnedBack(vec3 v, vec4 q) { return v + 2.0 * cross(cross(v, q.xyz) + q.w * v, q.xyz); }
 
-/// The pattern of a pool ball: pale caps about the z axis of the body, and a pale spot at either end of its x axis.
-float pale(vec3 n) {
-  float soft = 1.5 / pixels;
-  float cap = smoothstep(0.62 - soft, 0.62 + soft, abs(n.z));
-  float spot = smoothstep(0.93 - 0.4 * soft, 0.93 + 0.4 * soft, abs(n.x));
-  return max(cap, spot) * smoothstep(2.5, 5.0, pixels);
+/// The pattern of a ball that turns, as in stills: a white band about the z axis of the body, half a dark one across.
+vec3 striped(vec3 base, vec3 n, float pixels) {
+  float soft = 0.7 / pixels;
+  float band = 1.0 - smoothstep(0.22 - soft, 0.22 + soft, abs(n.z));
+  float across = (1.0 - smoothstep(0.09 - soft, 0.09 + soft, abs(n.x))) * smoothstep(-soft, soft, n.y);
+  return mix(base, mix(mix(base, vec3(0.97), band), vec3(0.14), across), smoothstep(2.5, 5.0, pixels));
 }
 
 void main() {
+  // Few values come from the vertex: setting them up for each ball is what takes the time of a large crowd.
+  vec3 centre = ball.xyz, colour = vec3(paint & 255u, paint >> 8 & 255u, paint >> 16 & 255u) / 255.0;
+  float size = ball.w, pixels = size * 0.5 * screen.y * projectionMatrix[1][1] / -centre.z;
   vec2 place = (gl_FragCoord.xy - corner) / screen * 2.0 - 1.0;
   vec3 ray = vec3(place / vec2(projectionMatrix[0][0], projectionMatrix[1][1]), -1.0);
   float along = dot(ray, centre) / dot(ray, ray);
@@ -114,22 +120,35 @@ void main() {
   float cover = 1.0;
   if (inside < 0.0) discard;
 #endif
+  if (pixels < 2.0) {  // too small for more than its colour; most bodies of a large crowd are
+    gl_FragDepth = 0.5 - 0.5 * (projectionMatrix[2][2] * centre.z + projectionMatrix[3][2]) / centre.z;
+    seen = vec4(colour * (0.8 + 0.2 * inside / (size * size)), cover);
+    return;
+  }
   vec3 met = ray * (along - sqrt(max(inside, 0.0) / dot(ray, ray)));
   vec3 normal = normalize(met - centre);
   gl_FragDepth = 0.5 - 0.5 * (projectionMatrix[2][2] * met.z + projectionMatrix[3][2]) / met.z;
 
   vec3 base = colour;
 #ifdef TURNS
-  if (stripes * pattern > 0.5) {
+  if (stripes > 0.5 && paint >> 24 != 0u) {
     vec3 own = turnedBack(transpose(mat3(viewMatrix)) * normal, turn);
-    base = mix(base, mix(base, vec3(1.0, 0.985, 0.95), 0.86), pale(own));
+    base = striped(base, own, pixels);
   }
 #endif
   float sky = 0.5 + 0.5 * dot(normal, mat3(viewMatrix) * vec3(0.0, 0.0, 1.0));
   vec3 lamp = vec3(-0.40, 0.55, 0.73);
   float lit = max(dot(normal, lamp), 0.0);
-  float shine = pow(max(dot(reflect(-lamp, normal), normalize(-met)), 0.0), 32.0);
-  float shade = mix(1.0, ambient + 0.16 * sky + (0.92 - ambient) * lit, smoothstep(1.0, 4.0, pixels));
-  seen = vec4(base * shade + 0.16 * shine * smoothstep(3.0, 8.0, pixels), cover);
+  float shine = 0.0;
+  if (pixels > 3.0) {
+    shine = max(dot(reflect(-lamp, normal), normalize(-met)), 0.0);
+    shine *= shine;
+    shine *= shine;
+    shine *= shine;
+    shine *= shine;
+    shine *= 0.16 * shine * smoothstep(3.0, 8.0, pixels);
+  }
+  float shade = ambient + 0.16 * sky + (0.92 - ambient) * lit;
+  seen = vec4(base * mix(0.9, shade, smoothstep(2.0, 4.0, pixels)) + shine, cover);
 }
 `;

@@ -221,7 +221,10 @@ class Page {
 
   /// For tests: what is on screen now, and when something first was.
   tell() {
-    if (!this.drawn++) root.dataset.drawn = Math.round(performance.now());
+    if (!this.drawn++) {
+      this.scene?.finish();
+      root.dataset.drawn = Math.round(performance.now());
+    }
     root.dataset.time = this.state.time;
     root.dataset.frames = this.drawn;
   }

@@ -14,7 +14,7 @@ NAMES = ["chromium", "chromium-browser", "google-chrome", "chrome"]
 # Drawn by the processor: no graphics card is needed, and none makes a difference.
 OPTIONS = ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
            "--disable-dev-shm-usage", "--no-first-run", "--hide-scrollbars", "--disable-extensions",
-           "--remote-debugging-pipe"]
+           "--disable-background-networking", "--disable-component-update", "--remote-debugging-pipe"]
 
 
 def program():

@@ -10,7 +10,7 @@ import zlib
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "scenarios" / "view" / "page"
 
 
-def plane(low, high, count, value):
+def quantised(low, high, count, value):
     """A value in [low, high] as one of `count` steps."""
     return min(count, max(0, round((value - low) / (high - low) * count))) if high > low else 0
 
@@ -44,18 +44,18 @@ def run(times, positions, radius=0.0, orientations=None, columns=(), **header):
     low, high = [min(axis) for axis in flat], [max(axis) for axis in flat]
     bodies = len(positions[0])
     names = [{"name": "position", "components": 3, "bits": 16, "differences": 2}]
-    data = encoded([[[plane(low[k], high[k], 65535, p[k]) for p in frame] for k in range(3)] for frame in positions],
+    data = encoded([[[quantised(low[k], high[k], 65535, p[k]) for p in frame] for k in range(3)] for frame in positions],
                    16, 2)
     if orientations:
         names.append({"name": "orientation", "components": 3, "bits": 16, "differences": 2})
         upper = [[[-v for v in q] if q[0] < 0 else q for q in frame] for frame in orientations]
-        data += encoded([[[plane(-1, 1, 65535, q[k]) for q in frame] for k in (1, 2, 3)] for frame in upper], 16, 2)
+        data += encoded([[[quantised(-1, 1, 65535, q[k]) for q in frame] for k in (1, 2, 3)] for frame in upper], 16, 2)
     for name, unit, values in columns:
         count = name == "contacts"
         least, most = (0, 255) if count else (min(map(min, values)), max(map(max, values)))
         names.append({"name": name, "components": 1, "bits": 8, "differences": 1, "min": least, "max": most,
                       "unit": unit})
-        data += encoded([[[v if count else plane(least, most, 255, v) for v in frame]] for frame in values], 8, 1)
+        data += encoded([[[v if count else quantised(least, most, 255, v) for v in frame]] for frame in values], 8, 1)
     return {"format": 1, "scenario": "test", "label": "rk4, step 0.001 s", "doc": "", "bodies": bodies,
             "shown": bodies, "stride": 1, "times": times, "boundaries": [], "series": [], "notes": [],
             "groups": [{"name": "all", "first": 0, "count": bodies, "radius": radius,
@@ -111,7 +111,8 @@ def spinning(frames=120, duration=2.0):
         rolled = [v * t for v in (0.3, 0.5, 0.7, 0.9, 1.1, 1.3)]
         positions.append([(-1 + x, 0.3 * k - 0.7, radius) for k, x in enumerate(rolled)]
                          + [(0.2, 0.0, 0.62), (0.8, -0.8, radius)])
-        orientations.append([turn(x / radius, (0, 1, 0)) for x in rolled] + [turn(7 * t, (0.6, 0, 0.8)), turn(1, (1, 0, 0))])
+        orientations.append([turn(x / radius, (0, 1, 0)) for x in rolled]
+                            + [turn(7 * t, (0.6, 0, 0.8)), turn(1, (1, 0, 0))])
         contacts.append([1 + (k + int(3 * t)) % 3 for k in range(6)] + [0, 1])
         speeds.append([x / t if t else 0.8 for x in rolled] + [0.0, 0.0])
     return run(times, positions, radius, orientations, [("speed", "m/s", speeds), ("contacts", "", contacts)],

@@ -43,7 +43,13 @@ export function axes(balls, reach) {
   const corners = [];
   const index = [];
   for (let axis = 0; axis < 3; ++axis) {
-    for (const [end, side] of [[0, -1], [0, 1], [1, -1], [1, 1]]) corners.push(axis, end, side);
+    for (const [end, side] of [
+      [0, -1],
+      [0, 1],
+      [1, -1],
+      [1, 1],
+    ])
+      corners.push(axis, end, side);
     index.push(...[0, 1, 2, 2, 1, 3].map((i) => 4 * axis + i));
   }
   const geometry = new THREE.InstancedBufferGeometry();

@@ -22,6 +22,7 @@ out vec4 seen;
 void main() { seen = vec4(colour, shown); }
 `;
 
+const sides = ["x", "y", "z"];
 const v3 = (list) => new THREE.Vector3(...list);
 
 /// 1, 2 or 5 times a power of ten, at least that large.
@@ -69,8 +70,7 @@ function across(normal) {
 }
 
 /// Half of how far a box reaches along a direction.
-const reach = (size, way) =>
-  0.5 * (Math.abs(size.x * way.x) + Math.abs(size.y * way.y) + Math.abs(size.z * way.z));
+const reach = (size, way) => 0.5 * (Math.abs(size.x * way.x) + Math.abs(size.y * way.y) + Math.abs(size.z * way.z));
 
 /// A grid under or beside the motion, on round coordinates, that fades towards its edge.
 function plane(drawing, { point = [0, 0, 0], normal = [0, 0, 1] }, room) {
@@ -86,7 +86,11 @@ function plane(drawing, { point = [0, 0, 0], normal = [0, 0, 1] }, room) {
     return [Math.floor((at - half[i]) / step), Math.ceil((at + half[i]) / step)];
   });
   const base = n.clone().multiplyScalar(middle.dot(n));
-  const at = (a, b) => base.clone().addScaledVector(u, a * step).addScaledVector(v, b * step);
+  const at = (a, b) =>
+    base
+      .clone()
+      .addScaledVector(u, a * step)
+      .addScaledVector(v, b * step);
   const fade = (x, [low, high]) => Math.min(1, (2.2 * Math.min(x - low, high - x)) / (high - low));
   const faint = (a, b) => 0.55 * Math.min(fade(a, range[0]), fade(b, range[1]));
   for (let a = range[0][0]; a <= range[0][1]; ++a) {
@@ -97,16 +101,19 @@ function plane(drawing, { point = [0, 0, 0], normal = [0, 0, 1] }, room) {
   }
 }
 
-const sides = ["x", "y", "z"];
+/// The least and the highest corner of a box, given by them or by its centre and edges. On its open sides it is drawn
+/// as far as the motion goes: walls without a lid say nothing by their height.
+function corners({ min, max, point = [0, 0, 0], size, open = [] }, room) {
+  const low = min ?? point.map((p, i) => p - size[i] / 2);
+  const high = max ?? point.map((p, i) => p + size[i] / 2);
+  return [
+    low.map((x, i) => (open.includes(`-${sides[i]}`) ? Math.max(x, room.min.getComponent(i)) : x)),
+    high.map((x, i) => (open.includes(`+${sides[i]}`) ? Math.min(x, room.max.getComponent(i)) : x)),
+  ];
+}
 
-/// Of a box, given by them or by its centre and edges.
-const corners = ({ min, max, point = [0, 0, 0], size }) => [
-  min ?? point.map((p, i) => p - size[i] / 2),
-  max ?? point.map((p, i) => p + size[i] / 2),
-];
-
-function box(drawing, boundary, strength = 0.8, dashes = 0) {
-  const [low, high] = corners(boundary);
+function box(drawing, boundary, room, strength = 0.8, dashes = 0) {
+  const [low, high] = corners(boundary, room);
   const open = boundary.open ?? [];
   for (let axis = 0; axis < 3; ++axis) {
     const others = [0, 1, 2].filter((i) => i !== axis);
@@ -131,31 +138,35 @@ function segment(drawing, from, to, strength, dashes) {
   for (let i = 0; i < dashes; ++i) drawing.line(at((i + 0.2) / dashes), at((i + 0.8) / dashes), strength);
 }
 
-function periodic(drawing, { point = [0, 0, 0], size }, room) {
-  const low = size.map((length, i) => (length > 0 ? point[i] - length / 2 : room.min.getComponent(i)));
-  const high = size.map((length, i) => (length > 0 ? point[i] + length / 2 : room.max.getComponent(i)));
-  box(drawing, { min: low, max: high }, 0.7, 24);
+/// Where space repeats, as a box; along an axis where it does not, as far as the motion goes.
+const repeated = ({ point = [0, 0, 0], size }, room) => ({
+  min: size.map((length, i) => (length > 0 ? point[i] - length / 2 : room.min.getComponent(i))),
+  max: size.map((length, i) => (length > 0 ? point[i] + length / 2 : room.max.getComponent(i))),
+});
+
+/// A place on a tube, by an angle and how far along the motion it is, -1 to 1.
+function tubePlace({ point = [0, 0, 0], normal = [0, 0, 1], radius }, room) {
+  const { n, u, v } = across(normal);
+  const along = room.getCenter(new THREE.Vector3()).sub(v3(point)).dot(n);
+  const half = Math.max(1.02 * reach(room.getSize(new THREE.Vector3()), n), 0.5 * radius);
+  return (angle, share) =>
+    v3(point)
+      .addScaledVector(u, radius * Math.cos(angle))
+      .addScaledVector(v, radius * Math.sin(angle))
+      .addScaledVector(n, along + share * half);
 }
 
-/// Rings and lines along a tube, as far as the motion goes.
-function tube(drawing, { point = [0, 0, 0], normal = [0, 0, 1], radius }, room) {
-  const { n, u, v } = across(normal);
-  const size = room.getSize(new THREE.Vector3());
-  const along = room.getCenter(new THREE.Vector3()).sub(v3(point)).dot(n);
-  const half = Math.max(1.05 * reach(size, n), 0.5 * radius);
-  const [rings, corners] = [5, 96];
-  const at = (turn, height) =>
-    v3(point)
-      .addScaledVector(u, radius * Math.cos(turn))
-      .addScaledVector(v, radius * Math.sin(turn))
-      .addScaledVector(n, height);
-  for (let ring = 0; ring < rings; ++ring) {
-    const height = along + half * ((2 * ring) / (rings - 1) - 1);
-    for (let i = 0; i < corners; ++i) {
-      const [turn, next] = [i, i + 1].map((k) => (2 * Math.PI * k) / corners);
-      drawing.line(at(turn, height), at(next, height), ring % (rings - 1) ? 0.4 : 0.8);
-      if (ring === 0 && i % 12 === 0) drawing.line(at(turn, height), at(turn, along + half), 0.4);
+/// Rings and lines along a tube.
+function tube(drawing, boundary, room) {
+  const at = tubePlace(boundary, room);
+  const [rings, pieces] = [5, 96];
+  for (let i = 0; i < pieces; ++i) {
+    const [angle, next] = [i, i + 1].map((k) => (2 * Math.PI * k) / pieces);
+    for (let ring = 0; ring < rings; ++ring) {
+      const share = (2 * ring) / (rings - 1) - 1;
+      drawing.line(at(angle, share), at(next, share), Math.abs(share) === 1 ? 0.8 : 0.4);
     }
+    if (i % 12 === 0) drawing.line(at(angle, -1), at(angle, 1), 0.4);
   }
 }
 
@@ -173,9 +184,9 @@ export function boundaries(run, room) {
   for (const boundary of run.header.boundaries) {
     const drawing = new Drawing();
     if (boundary.shape === "plane") plane(drawing, boundary, room);
-    else if (boundary.shape === "box") box(drawing, boundary);
+    else if (boundary.shape === "box") box(drawing, boundary, room);
     else if (boundary.shape === "tube") tube(drawing, boundary, room);
-    else if (boundary.shape === "periodic") periodic(drawing, boundary, room);
+    else if (boundary.shape === "periodic") box(drawing, repeated(boundary, room), room, 0.7, 24);
     const lines = drawing.object(uniforms);
     object.add(lines);
     if (boundary.motion) moving.push({ lines, motion: boundary.motion });
@@ -189,25 +200,37 @@ export function boundaries(run, room) {
   };
 }
 
-/// What the first view should hold beside the motion: corners of boxes that are not far larger, planes close by.
+function pointsOf(b, room, reachable) {
+  if (b.shape === "plane") {
+    const { n } = across(b.normal ?? [0, 0, 1]);
+    const middle = room.getCenter(new THREE.Vector3());
+    return [
+      middle.addScaledVector(
+        n,
+        v3(b.point ?? [0, 0, 0])
+          .sub(middle)
+          .dot(n),
+      ),
+    ];
+  }
+  if (b.shape === "tube") {
+    const at = tubePlace(b, room);
+    return Array.from({ length: 16 }, (_, i) => at((i * Math.PI) / 4, i < 8 ? -1 : 1));
+  }
+  const [low, high] = corners(b.shape === "periodic" ? repeated(b, room) : b, room);
+  const near = new THREE.Box3(v3(low), v3(high)).intersect(reachable);
+  if (near.isEmpty()) return [];
+  return Array.from({ length: 8 }, (_, i) =>
+    v3(sides.map((side, bit) => ((i >> bit) & 1 ? near.max : near.min)[side])),
+  );
+}
+
+/// What the first view should hold beside the motion, of boundaries that are not far larger or away.
 export function boundaryPoints(run, room) {
   const size = room.getSize(new THREE.Vector3());
   const reachable = room.clone().expandByScalar(0.75 * Math.max(size.x, size.y, size.z));
-  const points = [];
-  for (const b of run.header.boundaries) {
-    if (b.shape === "plane") {
-      const { n } = across(b.normal ?? [0, 0, 1]);
-      const middle = room.getCenter(new THREE.Vector3());
-      const foot = middle.clone().addScaledVector(n, v3(b.point ?? [0, 0, 0]).sub(middle).dot(n));
-      if (reachable.containsPoint(foot)) points.push(foot);
-    } else if (b.shape === "box") {
-      const [low, high] = corners(b);
-      const near = new THREE.Box3(v3(low), v3(high)).intersect(reachable);
-      if (near.isEmpty()) continue;
-      for (let i = 0; i < 8; ++i) {
-        points.push(v3(sides.map((side, bit) => ((i >> bit) & 1 ? near.max : near.min)[side])));
-      }
-    }
-  }
-  return points;
+  return run.header.boundaries
+    .filter(({ shape }) => ["plane", "box", "tube", "periodic"].includes(shape))
+    .flatMap((b) => pointsOf(b, room, reachable))
+    .filter((point) => reachable.containsPoint(point));
 }

@@ -28,7 +28,9 @@ export function speeds(duration) {
   const natural = duration / 10 || 1;
   const near = natural > 0.01 && natural < 100;
   const steps = near ? [1 / 8, 1 / 4, 1 / 2, 1, 2, 4, 8] : [0.1, 0.2, 0.5, 1, 2, 5, 10];
-  const usual = near ? 2 ** Math.round(Math.log2(natural)) : Number((10 ** Math.round(Math.log10(natural))).toPrecision(1));
+  const usual = near
+    ? 2 ** Math.round(Math.log2(natural))
+    : Number((10 ** Math.round(Math.log10(natural))).toPrecision(1));
   const rates = new Set(steps.map((step) => Number((step * usual).toPrecision(6))));
   rates.add(1);
   return { rates: [...rates].sort((a, b) => a - b), usual };
@@ -37,7 +39,10 @@ export function speeds(duration) {
 export function speedText(rate) {
   if (rate === 1) return "real time";
   const inverse = 1 / rate;
-  const text = rate < 1 && Math.abs(inverse - Math.round(inverse)) < 1e-6 * inverse ? `1/${number(Math.round(inverse))}` : number(rate);
+  const text =
+    rate < 1 && Math.abs(inverse - Math.round(inverse)) < 1e-6 * inverse
+      ? `1/${number(Math.round(inverse))}`
+      : number(rate);
   return `${text} \u00d7 real time`;
 }
 

@@ -44,7 +44,12 @@ function transport(parent, { act, rates, span, writer }) {
   const now = make(time, "span", { className: "now" });
   make(time, "span", { className: "end" }, ` / ${writer.text(span[1])} ${writer.unit}`);
   now.style.minWidth = `${Math.max(...span.map((t) => writer.text(t).length))}ch`;
-  const rate = select(bar, "", rates.map((r) => [r, speedText(r)]), (value) => act.set({ rate: Number(value) }));
+  const rate = select(
+    bar,
+    "",
+    rates.map((r) => [r, speedText(r)]),
+    (value) => act.set({ rate: Number(value) }),
+  );
   rate.title = "simulated seconds per second (+ and \u2212)";
   const loop = button(bar, "loop (L)", icon("loop"), () => act.flip("loop"));
   loop.classList.add("plain");
@@ -77,17 +82,24 @@ const toggles = {
 
 function choices(parent, { act, colours, has, several }) {
   const bar = make(parent, "div", { className: "choices" });
-  const colour = select(bar, "Colour by", colours.map((c) => [c, words[c]]), (value) => act.set({ colour: value }));
+  const colour =
+    colours.length > 1 &&
+    select(
+      bar,
+      "Colour by",
+      colours.map((c) => [c, words[c]]),
+      (value) => act.set({ colour: value }),
+    );
   const checks = Object.entries(toggles)
     .filter(([name]) => has[name])
     .map(([name, [text, title]]) => [name, check(bar, text, title, (on) => act.set({ [name]: on }))]);
   let modes = [];
   if (several) {
     const pair = make(bar, "div", { className: "pair", role: "group" });
-    modes = [["beside", "side by side"], ["overlaid", "overlaid"]].map(([mode, text]) => [
-      mode,
-      button(pair, `${text} (M)`, text, () => act.set({ mode })),
-    ]);
+    modes = [
+      ["beside", "side by side"],
+      ["overlaid", "overlaid"],
+    ].map(([mode, text]) => [mode, button(pair, `${text} (M)`, text, () => act.set({ mode }))]);
   }
   const end = make(bar, "div", { className: "end" });
   for (const [title, content, press] of [
@@ -98,7 +110,7 @@ function choices(parent, { act, colours, has, several }) {
     button(end, title, content, press).classList.add("plain");
   }
   return (state) => {
-    colour.value = state.colour;
+    if (colour) colour.value = state.colour;
     for (const [name, input] of checks) input.checked = state[name];
     for (const [mode, element] of modes) element.setAttribute("aria-pressed", mode === state.mode);
   };

@@ -1,4 +1,10 @@
 // The runs as the program wrote them. Values stay quantised here: shaders and readers multiply where they need to.
+//
+// #runs holds a JSON array of headers, #data-K the data of run K: base64 of a zlib stream, the columns one after the
+// other; of each, for each frame and component, the bytes of all shown bodies, or first all low and then all high bytes.
+// What is stored are differences along time modulo 2^bits: q[f] - q[f-1], or q[f] - 2 q[f-1] + q[f-2], with q = 0 before
+// the start. Positions stand between the corners of `box`; orientations are x, y, z of quaternions with w >= 0, from -1
+// to 1; speed and energy stand between `min` and `max`; contacts are counts.
 
 const bytesPer = (column) => column.components * (column.bits / 8);
 
@@ -32,7 +38,11 @@ function restore(bytes, column, frames, bodies) {
   const wide = bits === 16;
   const values = wide ? new Uint16Array(frames * bodies * components) : new Uint8Array(frames * bodies * components);
   const size = bodies * components;
-  const [one, two] = [[0, 0], [1, 0], [2, -1]][differences];
+  const [one, two] = [
+    [0, 0],
+    [1, 0],
+    [2, -1],
+  ][differences];
   let at = 0;
   for (let frame = 0; frame < frames; ++frame) {
     const last = frame > 0 ? one : 0;

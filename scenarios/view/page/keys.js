@@ -34,7 +34,12 @@ export function keys(act) {
     make(make(list, "dt"), "kbd", {}, written);
     make(list, "dd", {}, text);
   }
-  make(sheet, "p", {}, "Drag to turn, wheel or pinch to zoom, right button or two fingers to shift. Click or drag in a plot to go to its time.");
+  make(
+    sheet,
+    "p",
+    {},
+    "Drag to turn, wheel or pinch to zoom, right button or two fingers to shift. Click or drag in a plot to go to its time.",
+  );
   sheet.onclick = () => sheet.close();
   act.help = () => (sheet.open ? sheet.close() : sheet.showModal());
   rows.at(-1)[3] = act.help;

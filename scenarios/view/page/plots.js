@@ -88,7 +88,7 @@ class Plot {
       margin.left + ((t - this.span[0]) / (this.span[1] - this.span[0] || 1)) * (width - margin.left - margin.right);
     this.y = (v) => bottom - ((v - low + slack) / (high - low + 2 * slack)) * (bottom - top);
     this.picture.replaceChildren();
-    this.drawAxes(ticks(low, high, 4), from, bottom, top);
+    this.drawAxes(ticks(low, high, 5), from, bottom, top);
     for (const { run, series } of this.lines) {
       const d = curve(run.times, series.values, this.x, this.y, from);
       const colour = this.several ? runColour(run.index) : "--curve";
@@ -108,9 +108,14 @@ class Plot {
     for (const level of levels) {
       svg(picture, "line", { class: "grid", x1: margin.left, x2: width - margin.right, y1: y(level), y2: y(level) });
       const sign = from && level > 0 ? "+" : "";
-      svg(picture, "text", { class: "level", x: margin.left - 6, y: y(level) + 3.5 }, sign + number(level, digits(level)));
+      svg(
+        picture,
+        "text",
+        { class: "level", x: margin.left - 6, y: y(level) + 3.5 },
+        sign + number(level, digits(level)),
+      );
     }
-    const most = Math.max(2, Math.floor((width - margin.left) / 80));
+    const most = Math.max(2, Math.floor((width - margin.left) / 60));
     const size = writer.size;
     for (const t of ticks(this.span[0] / size, this.span[1] / size, most)) {
       svg(picture, "line", { class: "grid", x1: x(t * size), x2: x(t * size), y1: top, y2: bottom });
@@ -131,7 +136,9 @@ class Plot {
       this.dots[i].style.visibility = known ? "" : "hidden";
       if (known) this.dots[i].setAttribute("cy", this.y(value - from));
       const change = value - from;
-      const text = from ? `${number(from, 4)} ${change < 0 ? "\u2212" : "+"} ${number(Math.abs(change), 2)}` : number(value, 4);
+      const text = from
+        ? `${number(from, 4)} ${change < 0 ? "\u2212" : "+"} ${number(Math.abs(change), 2)}`
+        : number(value, 4);
       this.readings[i].textContent = known ? `${text} ${this.unit}` : "";
     });
   }

@@ -45,7 +45,8 @@ export class Scene {
     part.balls = new Balls(run, { smooth, map: this.map });
     part.boundaries = boundaries(run, motion);
     part.group.add(part.boundaries.object, part.balls.object);
-    if (run.bodies <= mostWithPaths && run.frames > 1) part.group.add((part.paths = paths(run)).object);
+    const moves = run.header.box.min.some((low, axis) => low < run.header.box.max[axis]);
+    if (run.bodies <= mostWithPaths && moves) part.group.add((part.paths = paths(run)).object);
     if (run.columns.orientation && part.balls.object.isMesh) {
       const size = room.getSize(new THREE.Vector3());
       part.axes = axes(part.balls, (run.bodies > 1 ? 0.12 : 0.45) * Math.max(size.x, size.y, size.z));
@@ -69,12 +70,7 @@ export class Scene {
     const [columns, rows] = grid(this.views, beside);
     const [column, row] = [i % columns, Math.floor(i / columns)];
     const [x, y] = [Math.round((column * width) / columns), Math.round(((rows - 1 - row) * height) / rows)];
-    return [
-      x,
-      y,
-      Math.round(((column + 1) * width) / columns) - x,
-      Math.round(((rows - row) * height) / rows) - y,
-    ];
+    return [x, y, Math.round(((column + 1) * width) / columns) - x, Math.round(((rows - row) * height) / rows) - y];
   }
 
   resize() {
@@ -130,7 +126,7 @@ export class Scene {
     screen.value.set(width, height);
     corner.value.set(x, y);
     pointPixels.value = ratio * (balls.run.bodies <= 100 ? 6 : balls.run.bodies <= 5000 ? 3 : 1.25);
-    if (own) own.wide.value = 3 * ratio;
+    if (own) own.wide.value = ratio * (balls.run.bodies <= 10 ? 4.5 : 3);
     this.renderer.render(group, this.camera);
   }
 

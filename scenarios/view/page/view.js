@@ -129,7 +129,12 @@ class Page {
       this.scene = new Scene(this.canvas, this.runs, () => this.redraw());
     } catch {
       this.canvas.remove();
-      make(this.stage, "p", { className: "missing" }, "The motion needs WebGL 2, which this browser does not offer here.");
+      make(
+        this.stage,
+        "p",
+        { className: "missing" },
+        "The motion needs WebGL 2, which this browser does not offer here.",
+      );
       return;
     }
     this.canvas.ondblclick = () => this.fit();

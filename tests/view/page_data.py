@@ -49,7 +49,8 @@ def run(times, positions, radius=0.0, orientations=None, columns=(), **header):
     if orientations:
         names.append({"name": "orientation", "components": 3, "bits": 16, "differences": 2})
         upper = [[[-v for v in q] if q[0] < 0 else q for q in frame] for frame in orientations]
-        data += encoded([[[quantised(-1, 1, 65535, q[k]) for q in frame] for k in (1, 2, 3)] for frame in upper], 16, 2)
+        data += encoded([[[quantised(-1, 1, 65535, q[k]) for q in frame] for k in (1, 2, 3)] for frame in upper],
+                        16, 2)
     for name, unit, values in columns:
         count = name == "contacts"
         least, most = (0, 255) if count else (min(map(min, values)), max(map(max, values)))

@@ -187,6 +187,18 @@ class Picture(PageTest):
         self.assertGreater(covered(self.canvas()), 0.1)
         self.assert_quiet()
 
+    def test_where_drawing_is_slow_a_share_of_a_crowd_moves(self):
+        self.open([page_data.wandering(6_000, 3, 0.012, scalars=False)], "t=0&boundaries=0")
+        whole = self.canvas()
+        self.browser.evaluate("for (let i = 0; i < 12; ++i) ballpark.pace.note(0.2)")
+        self.assertEqual(self.browser.evaluate("ballpark.pace.share"), 0.25)
+        self.browser.evaluate("ballpark.pace.note = () => {}; ballpark.set({ playing: true, rate: 1e-9 })")
+        self.assertLess(covered(self.canvas()), 0.7 * covered(whole))
+        self.assertEqual(self.browser.evaluate("ballpark.scene.parts[0].balls.geometry.drawRange.count"), 1500)
+        self.assertIn("1 of 4 bodies", self.browser.evaluate("document.querySelector('.thinned').innerText"))
+        self.browser.evaluate("ballpark.set({ playing: false, time: 0 })")
+        self.assertEqual(differing(whole, self.canvas()), 0)
+
     def test_a_large_run_opens_quickly(self):
         path = self.open([page_data.wandering(10_000, 300, 0.025, scalars=False)], limit=120)
         self.assertLess(path.stat().st_size, 20e6)

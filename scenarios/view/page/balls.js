@@ -6,9 +6,20 @@ import { css, groupColour, runColour, scaleRange } from "./colours.js";
 import { locate, periods, radii, span } from "./data.js";
 
 // Points are the fastest, but their size on screen is limited and they vanish with their centre: few bodies get corners.
-const mostWithCorners = 4096;
+export const mostWithCorners = 4096;
 
 const quad = () => new THREE.BufferAttribute(new Int8Array([-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0]), 3);
+
+/// All bodies in an order in which the first few are as good as any.
+function mixed(bodies) {
+  const order = Uint32Array.from({ length: bodies }, (_, i) => i);
+  for (let i = bodies - 1, random = 1; i > 0; --i) {
+    random = (Math.imul(random, 1664525) + 1013904223) >>> 0;
+    const other = Math.floor((random / 2 ** 32) * (i + 1));
+    [order[i], order[other]] = [order[other], order[i]];
+  }
+  return order;
+}
 
 /// Two slots of a column: even frames in one, odd frames in the other.
 class Slots {
@@ -48,7 +59,7 @@ export class Balls {
     const make = many
       ? (array, size) => new THREE.BufferAttribute(array, size, true)
       : (array, size) => new THREE.InstancedBufferAttribute(array, size, true);
-    if (many) this.geometry.setDrawRange(0, run.bodies);
+    if (many) this.geometry.setIndex(new THREE.BufferAttribute(mixed(run.bodies), 1));
     else this.geometry.setAttribute("position", quad()).setIndex([0, 1, 2, 2, 1, 3]).instanceCount = run.bodies;
 
     const { position, orientation } = run.columns;
@@ -97,6 +108,11 @@ export class Balls {
     });
     this.object = many ? new THREE.Points(this.geometry, material) : new THREE.Mesh(this.geometry, material);
     this.object.frustumCulled = false;
+  }
+
+  /// Draws that share of a crowd; few bodies are always drawn.
+  thin(share) {
+    if (this.object.isPoints) this.geometry.setDrawRange(0, Math.ceil(share * this.run.bodies));
   }
 
   /// Moves to a time; returns the frame and the way to the next.

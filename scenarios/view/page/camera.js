@@ -15,8 +15,11 @@ export function motionBox(run) {
   return Math.max(size.x, size.y, size.z) > 0 ? room : room.expandByScalar(0.3);
 }
 
-/// Bodies at evenly chosen frames, as far as there is time for: [x, y, z, radius] one after the other.
-export function samples(run) {
+export const moves = ({ header: { box } }) => box.min.some((low, axis) => low < box.max[axis]);
+
+/// Bodies at evenly chosen frames, as far as there is time for: [x, y, z, radius] one after the other. A point has the
+/// radius that its axes reach.
+export function samples(run, pointRadius) {
   const { values } = run.columns.position;
   const { from, size } = span(run);
   const radius = radii(run);
@@ -25,7 +28,7 @@ export function samples(run) {
   const found = [];
   for (let i = 0; i < all; i += stride) {
     for (let axis = 0; axis < 3; ++axis) found.push(from[axis] + (size[axis] * values[3 * i + axis]) / 65535);
-    found.push(radius[i % run.bodies]);
+    found.push(radius[i % run.bodies] || pointRadius);
   }
   return found;
 }

@@ -58,6 +58,7 @@ export function scaleOf(runs, name) {
   const real = (column, q) => column.min + (q / 255) * (column.max - column.min);
   const min = Math.min(...columns.map((c) => c.min));
   const max = Math.max(...columns.map((c) => c.max));
+  if (!(max > min)) return null; // all alike: nothing to tell apart
   const usual = Math.max(...columns.map((c) => real(c, hundredthBelowTop(c.values))));
   const cut = usual - min < 0.6 * (max - min) && usual > min;
   return { name, unit, steps: 0, cut, min, max: cut ? usual : max };

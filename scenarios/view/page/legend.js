@@ -32,7 +32,7 @@ function steps(parent, scale, dark) {
   }
 }
 
-export function legend(parent, runs, { colour, scale, dark, mode }) {
+export function legend(parent, runs, { colour, scale, dark, mode, axes }) {
   parent.replaceChildren();
   if (scale) {
     make(parent, "div", { className: "title" }, titles[scale.name] + (scale.unit ? ` [${scale.unit}]` : ""));
@@ -48,6 +48,14 @@ export function legend(parent, runs, { colour, scale, dark, mode }) {
       parent,
       runs.map((run) => [`var(${runColour(run.index)})`, run.header.label]),
     );
+  }
+  if (axes) {
+    const row = make(parent, "div", { className: "axes" });
+    swatches(
+      row,
+      ["x", "y", "z"].map((axis) => [`var(--axis-${axis})`, axis]),
+    );
+    make(row, "span", {}, "of the body");
   }
   parent.hidden = !parent.childElementCount;
 }

@@ -51,6 +51,8 @@ function curve(times, values, x, y, from) {
   return path;
 }
 
+const signed = (change) => `${change < 0 ? "\u2212" : "+"} ${number(Math.abs(change), 2)}`;
+
 class Plot {
   constructor(parent, { name, unit, lines }, { several, span, writer, scrub }) {
     Object.assign(this, { name, unit, lines, several, span, writer });
@@ -136,9 +138,7 @@ class Plot {
       this.dots[i].style.visibility = known ? "" : "hidden";
       if (known) this.dots[i].setAttribute("cy", this.y(value - from));
       const change = value - from;
-      const text = from
-        ? `${number(from, 4)} ${change < 0 ? "\u2212" : "+"} ${number(Math.abs(change), 2)}`
-        : number(value, 4);
+      const text = from && change ? `${number(from, 4)} ${signed(change)}` : number(value, 4);
       this.readings[i].textContent = known ? `${text} ${this.unit}` : "";
     });
   }

@@ -2,10 +2,10 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { Balls } from "./balls.js";
+import { Balls, mostWithCorners as mostWithAxes } from "./balls.js";
 import { axes } from "./axes.js";
 import { boundaries, boundaryPoints } from "./boundaries.js";
-import { fieldOfView, firstLook, fit, motionBox, samples } from "./camera.js";
+import { fieldOfView, firstLook, fit, motionBox, moves, samples } from "./camera.js";
 import { css, mapTexels } from "./colours.js";
 import { mostWithPaths, paths } from "./paths.js";
 
@@ -25,12 +25,15 @@ export class Scene {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener("change", changed);
+    for (const event of ["start", "change", "end"]) this.controls.addEventListener(event, changed);
+    this.controls.addEventListener("start", () => (this.dragged = true));
+    this.controls.addEventListener("end", () => (this.dragged = false));
 
     this.parts = runs.map((run) => this.part(run, smooth));
     this.look = firstLook(this.parts.reduce((sum, part) => sum.union(part.motion), new THREE.Box3()));
     this.box = this.parts.reduce((sum, part) => sum.union(part.room), new THREE.Box3());
     this.points = this.parts.flatMap((part) => part.points);
+    this.crowd = this.parts.some((part) => part.balls.object.isPoints);
     this.views = 1;
     this.canvas = canvas;
   }
@@ -40,18 +43,16 @@ export class Scene {
     const around = boundaryPoints(run, motion);
     const room = motion.clone();
     for (const point of around) room.expandByPoint(point);
-    const points = samples(run).concat(around.flatMap((point) => [...point, 0]));
+    const size = room.getSize(new THREE.Vector3());
+    const reach = (moves(run) ? 0.12 : 0.45) * Math.max(size.x, size.y, size.z);
+    const withAxes = run.columns.orientation && run.bodies <= mostWithAxes;
+    const points = samples(run, withAxes ? reach : 0).concat(around.flatMap((point) => [...point, 0]));
     const part = { run, motion, room, points, group: new THREE.Scene() };
     part.balls = new Balls(run, { smooth, map: this.map });
     part.boundaries = boundaries(run, motion);
     part.group.add(part.boundaries.object, part.balls.object);
-    const moves = run.header.box.min.some((low, axis) => low < run.header.box.max[axis]);
-    if (run.bodies <= mostWithPaths && moves) part.group.add((part.paths = paths(run)).object);
-    if (run.columns.orientation && part.balls.object.isMesh) {
-      const size = room.getSize(new THREE.Vector3());
-      part.axes = axes(part.balls, (run.bodies > 1 ? 0.12 : 0.45) * Math.max(size.x, size.y, size.z));
-      part.group.add(part.axes.object);
-    }
+    if (run.bodies <= mostWithPaths && moves(run)) part.group.add((part.paths = paths(run)).object);
+    if (withAxes) part.group.add((part.axes = axes(part.balls, reach)).object);
     return part;
   }
 
@@ -105,8 +106,9 @@ export class Scene {
     }
   }
 
-  /// One view for each run, or all runs in one.
-  draw() {
+  /// One view for each run, or all runs in one; while something moves perhaps a share of a crowd.
+  draw(share = 1) {
+    for (const { balls } of this.parts) balls.thin(share);
     this.renderer.setScissorTest(true);
     for (let view = 0; view < this.views; ++view) {
       const area = this.area(view);

@@ -48,11 +48,13 @@ flat out uint paint;  // its colour, and has it a pattern?
 flat out vec4 turn;
 #endif
 
+#ifdef CORNERS
 /// Where a sphere's edges are seen along one axis: x / depth of the two tangents from the eye.
 vec2 edges(float x, float depth, float r) {
   float t = sqrt(x * x + depth * depth - r * r);
   return vec2((x * t - depth * r) / (depth * t + x * r), (x * t + depth * r) / (depth * t - x * r));
 }
+#endif
 
 void main() {
   vec3 centre = (modelViewMatrix * vec4(place(), 1.0)).xyz;
@@ -61,22 +63,24 @@ void main() {
   float perPixel = depth / (0.5 * screen.y * zoom.y);
   float size = radius > 0.0 ? max(radius, leastPixels * perPixel) : pointPixels * perPixel;
   ball = vec4(centre, size);
+  float pixels = size / perPixel;
   float value = (mix(value0, value1, valueMixing) - mapRange.x) / (mapRange.y - mapRange.x);
-  vec3 colour = useMap > 0.5 ? texture(map, vec2(clamp(value, 0.002, 0.998), 0.5)).rgb : tint.rgb;
+  vec3 colour = useMap > 0.5 ? texelFetch(map, ivec2(clamp(value * 256.0, 0.0, 255.0), 0), 0).rgb : tint.rgb;
   uvec4 bytes = uvec4(vec4(colour, radius > 0.0 ? tint.a : 0.0) * 255.0 + 0.5);
   paint = bytes.r | bytes.g << 8 | bytes.b << 16 | bytes.a << 24;
 #ifdef TURNS
   turn = turned();
 #endif
+  float far = (projectionMatrix[2][2] * centre.z + projectionMatrix[3][2]) / depth;
+#ifdef CORNERS
   vec2 x = edges(centre.x, depth, size) * zoom.x, y = edges(centre.y, depth, size) * zoom.y;
   vec2 middle = 0.5 * vec2(x.x + x.y, y.x + y.y);
   vec2 extent = 0.5 * vec2(x.y - x.x, y.y - y.x) + room / screen;
-  float far = (projectionMatrix[2][2] * centre.z + projectionMatrix[3][2]) / depth;
-#ifdef CORNERS
   gl_Position = vec4(middle + position.xy * extent, far, 1.0);
 #else
-  gl_PointSize = max(extent.x * screen.x, extent.y * screen.y);
-  gl_Position = vec4(middle, far, 1.0);
+  // A square around the middle that holds the ellipse, if the ball is not close to the eye.
+  gl_PointSize = 2.0 * pixels / (1.0 - size / depth) * (1.0 + dot(centre.xy, centre.xy) / (2.0 * depth * depth));
+  gl_Position = vec4(zoom * centre.xy / depth, far, 1.0);
 #endif
   if (depth < 1.001 * size) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // the eye is inside it, or before it
 }

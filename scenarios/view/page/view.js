@@ -1,6 +1,7 @@
 // The page: the picture with its bar, the series below, and what is to be said of the data. The state is in one object;
 // all changes of it go through `set`.
 
+import { moves } from "./camera.js";
 import { advance, allTimes, speeds, stepFrom, timeWriter } from "./clock.js";
 import { scaleOf } from "./colours.js";
 import { controls } from "./controls.js";
@@ -9,6 +10,7 @@ import { make } from "./dom.js";
 import { fromFragment } from "./fragment.js";
 import { keys } from "./keys.js";
 import { legend, viewNames } from "./legend.js";
+import { Pace } from "./pace.js";
 import { plots } from "./plots.js";
 import { Scene } from "./scene.js";
 
@@ -46,10 +48,12 @@ function offers(runs) {
   const colours = [...(several ? ["run"] : []), ...Object.keys(scales), ...(groups ? ["group"] : []), "plain"];
   const turning = runs.filter((run) => run.columns.orientation);
   const balls = turning.some((run) => radii(run).some((r) => r > 0));
-  return { several, scales, colours, turning: turning.length > 0, balls };
+  // Of points that turn the axes show it; where runs are compared, only of those that do nothing else.
+  const points = turning.length > 0 && !balls && (!several || !turning.some(moves));
+  return { several, scales, colours, balls, points };
 }
 
-function firstState(runs, { colours, balls, turning }, usual, start) {
+function firstState(runs, { colours, balls, points }, usual, start) {
   const bodies = Math.max(...runs.map((run) => run.bodies));
   const said = fromFragment();
   const state = {
@@ -61,7 +65,7 @@ function firstState(runs, { colours, balls, turning }, usual, start) {
     mode: "beside",
     theme: prefersDark.matches ? "dark" : "light",
     stripes: balls && bodies <= manyStripes,
-    axes: turning && !balls && bodies <= 500,
+    axes: points && bodies <= 500,
     paths: bodies <= 12,
     boundaries: true,
     look: undefined,
@@ -80,6 +84,7 @@ class Page {
     this.speeds = speeds(this.span[1] - this.span[0]);
     this.state = firstState(runs, this.offer, this.speeds.usual, this.span[0]);
     this.drawn = 0;
+    this.pace = new Pace();
     this.build();
     this.set({});
     this.fit(this.state.look);
@@ -94,6 +99,7 @@ class Page {
     this.canvas.setAttribute("aria-label", "the motion");
     this.names = make(this.stage, "div", { className: "view-names" });
     this.legend = make(this.stage, "div", { className: "legend" });
+    this.thinned = make(this.stage, "div", { className: "thinned" });
     this.startPicture();
     const writer = timeWriter(span[1] - span[0]);
     const act = this.actions();
@@ -182,7 +188,8 @@ class Page {
     const dark = state.theme === "dark";
     const scale = this.offer.scales[state.colour];
     this.scene?.style({ ...state, scale, dark });
-    legend(this.legend, runs, { ...state, scale, dark });
+    const axes = state.axes && this.scene?.parts.some((part) => part.axes);
+    legend(this.legend, runs, { ...state, scale, dark, axes });
     this.layOut();
   }
 
@@ -211,17 +218,26 @@ class Page {
     if (state.playing) {
       // After a pause of the browser's own the motion goes on where it was.
       const passed = Math.min((now - (this.last ?? now)) / 1000, 0.25);
+      if (this.last) this.pace.note(passed);
       const wasPlaying = state.playing;
       Object.assign(state, advance(state, passed, this.span));
       if (state.playing !== wasPlaying) this.controls.all(state);
     }
     this.last = state.playing ? now : undefined;
     this.scene?.show(state.time);
-    this.scene?.draw();
+    this.drawPicture();
     this.controls.time(state);
     this.showPlots(state.time);
     this.tell();
     if (state.playing) this.redraw();
+  }
+
+  drawPicture() {
+    if (!this.scene) return;
+    const share = this.state.playing || this.scene.dragged ? this.pace.share : 1;
+    this.scene.draw(share);
+    this.thinned.hidden = !this.scene.crowd || share === 1;
+    this.thinned.textContent = `while it moves, 1 of ${1 / share} bodies is drawn`;
   }
 
   /// For tests: what is on screen now, and when something first was.

@@ -46,7 +46,9 @@ export class Scene {
     const size = room.getSize(new THREE.Vector3());
     const reach = (moves(run) ? 0.12 : 0.45) * Math.max(size.x, size.y, size.z);
     const withAxes = run.columns.orientation && run.bodies <= mostWithAxes;
-    const points = samples(run, withAxes ? reach : 0).concat(around.flatMap((point) => [...point, 0]));
+    const points = samples(run, !withAxes ? 0 : moves(run) ? 0.4 * reach : reach).concat(
+      around.flatMap((point) => [...point, 0]),
+    );
     const part = { run, motion, room, points, group: new THREE.Scene() };
     part.balls = new Balls(run, { smooth, map: this.map });
     part.boundaries = boundaries(run, motion);

@@ -98,6 +98,8 @@ flat in vec4 turn;
 #endif
 out vec4 seen;
 
+const vec3 lamp = vec3(-0.40, 0.55, 0.73), halfway = vec3(-0.2135, 0.2936, 0.9318);  // between the lamp and the eye
+
 vec3 turnedBack(vec3 v, vec4 q) { return v + 2.0 * cross(cross(v, q.xyz) + q.w * v, q.xyz); }
 
 /// The pattern of a ball that turns, as in stills: a white band about the z axis of the body, half a dark one across.
@@ -114,7 +116,7 @@ void main() {
   float size = ball.w, pixels = size * 0.5 * screen.y * projectionMatrix[1][1] / -centre.z;
   vec2 place = (gl_FragCoord.xy - corner) / screen * 2.0 - 1.0;
   vec3 ray = vec3(place / vec2(projectionMatrix[0][0], projectionMatrix[1][1]), -1.0);
-  float along = dot(ray, centre) / dot(ray, ray);
+  float perLength2 = 1.0 / dot(ray, ray), along = dot(ray, centre) * perLength2;
   vec3 beside = ray * along - centre;  // of the ray's nearest point to the centre: no difference of large squares
   float inside = size * size - dot(beside, beside);
 #ifdef SMOOTH
@@ -125,34 +127,24 @@ void main() {
   if (inside < 0.0) discard;
 #endif
   if (pixels < 2.0) {  // too small for more than its colour; most bodies of a large crowd are
-    gl_FragDepth = 0.5 - 0.5 * (projectionMatrix[2][2] * centre.z + projectionMatrix[3][2]) / centre.z;
+    gl_FragDepth = 0.5 - 0.5 * (projectionMatrix[2][2] + projectionMatrix[3][2] / centre.z);
     seen = vec4(colour * (0.8 + 0.2 * inside / (size * size)), cover);
     return;
   }
-  vec3 met = ray * (along - sqrt(max(inside, 0.0) / dot(ray, ray)));
-  vec3 normal = normalize(met - centre);
-  gl_FragDepth = 0.5 - 0.5 * (projectionMatrix[2][2] * met.z + projectionMatrix[3][2]) / met.z;
+  vec3 met = ray * (along - sqrt(max(inside, 0.0) * perLength2));
+  vec3 normal = (met - centre) * (1.0 / size);
+  gl_FragDepth = 0.5 - 0.5 * (projectionMatrix[2][2] + projectionMatrix[3][2] / met.z);
 
-  vec3 base = colour;
 #ifdef TURNS
   if (stripes > 0.5 && paint >> 24 != 0u) {
-    vec3 own = turnedBack(transpose(mat3(viewMatrix)) * normal, turn);
-    base = striped(base, own, pixels);
+    colour = striped(colour, turnedBack(transpose(mat3(viewMatrix)) * normal, turn), pixels);
   }
 #endif
-  float sky = 0.5 + 0.5 * dot(normal, mat3(viewMatrix) * vec3(0.0, 0.0, 1.0));
-  vec3 lamp = vec3(-0.40, 0.55, 0.73);
+  float sky = 0.5 + 0.5 * dot(normal, viewMatrix[2].xyz);
   float lit = max(dot(normal, lamp), 0.0);
-  float shine = 0.0;
-  if (pixels > 3.0) {
-    shine = max(dot(reflect(-lamp, normal), normalize(-met)), 0.0);
-    shine *= shine;
-    shine *= shine;
-    shine *= shine;
-    shine *= shine;
-    shine *= 0.16 * shine * smoothstep(3.0, 8.0, pixels);
-  }
-  float shade = ambient + 0.16 * sky + (0.92 - ambient) * lit;
-  seen = vec4(base * mix(0.9, shade, smoothstep(2.0, 4.0, pixels)) + shine, cover);
+  float shine = max(dot(normal, halfway), 0.0);
+  for (int i = 0; i < 6; ++i) shine *= shine;  // to the power of 64
+  float shade = mix(0.9, ambient + 0.16 * sky + (0.92 - ambient) * lit, clamp(0.5 * pixels - 1.0, 0.0, 1.0));
+  seen = vec4(colour * shade + 0.16 * shine * clamp(0.2 * pixels - 0.6, 0.0, 1.0), cover);
 }
 `;

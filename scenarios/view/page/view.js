@@ -215,10 +215,12 @@ class Page {
   frame(now) {
     this.waiting = undefined;
     const { state } = this;
+    let busy = false;
     if (state.playing) {
       // After a pause of the browser's own the motion goes on where it was.
       const passed = Math.min((now - (this.last ?? now)) / 1000, 0.25);
       if (this.last) this.pace.note(passed);
+      busy = passed > 0.03;
       const wasPlaying = state.playing;
       Object.assign(state, advance(state, passed, this.span));
       if (state.playing !== wasPlaying) this.controls.all(state);
@@ -226,8 +228,11 @@ class Page {
     this.last = state.playing ? now : undefined;
     this.scene?.show(state.time);
     this.drawPicture();
-    this.controls.time(state);
-    this.showPlots(state.time);
+    // Where drawing is slow the time and the plots take their share of it only now and then.
+    if (!busy || this.drawn % 4 === 0) {
+      this.controls.time(state);
+      this.showPlots(state.time);
+    }
     this.tell();
     if (state.playing) this.redraw();
   }

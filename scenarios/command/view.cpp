@@ -32,6 +32,7 @@ struct Recorded {
 Recorded record(const ViewSubject& subject, const ViewRequest& request, const Options& options, bool quiet) {
   scenes::SceneFile file = subject.file;
   file.expectations.clear();
+  file.events.clear();
   file.outputs = {{std::nullopt, request.times, ""}};
   view::Recorder recorder(file.scene, options, request.columns, view::frames_of(file.scene.run, request.times));
   Progress progress(file.scene.name, !quiet);

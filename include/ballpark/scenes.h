@@ -24,11 +24,13 @@ struct Override {
   std::string key, value;
 };
 
-/// [[output]]: the state over time into a file (.npz, .csv).
+/// [[output]]: the state over time into a file, whose ending says in which format.
 struct OutputRequest {
   std::optional<double> every;  ///< [s]
   std::vector<double> at;       ///< [s]
   std::string file;
+  std::vector<std::string> columns;  ///< "position", "velocity", ...; empty: all that bodies carry
+  std::string precision;             ///< of the numbers: "single", "double"; "": as the format has it
 };
 
 /// [[event]]: the times at which a number of a body's state passes a value.

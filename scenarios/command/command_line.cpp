@@ -35,7 +35,11 @@ constexpr Option scene_options[] = {
 constexpr Option run_options[] = {
     {"--state", "FILE", "write the state at the end as CSV", &Arguments::state},
     {"--every", "S", "with --out: a frame every S seconds of simulated time", &Arguments::every},
-    {"--out", "FILE", "write the frames, .npz or .csv", &Arguments::out},
+    {"--out", "FILE", "write the frames: .npz, .csv, .xyz, or .pvd with .vtp", &Arguments::out},
+    {"--columns", "LIST", "of position, velocity, orientation, angular_velocity, radius (default: what bodies carry)",
+     &Arguments::columns},
+    {"--out-precision", "P", "single or double, of the numbers in --out (default: single in .vtp, else double)",
+     &Arguments::out_precision},
 };
 constexpr Option view_options[] = {
     {"--out", "FILE", "what is written (default: SCENE.html, with --still SCENE.png)", &Arguments::out},

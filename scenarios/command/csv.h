@@ -1,27 +1,31 @@
-// The state as CSV: over time, or once. 17 significant digits: reading it back gives the same bits.
+// The state as CSV: over time, or once. Reading a number back gives the same bits.
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include "scenarios/command/body_columns.h"
+#include "ballpark/world.h"
 #include "scenarios/command/frame_file.h"
 #include "scenarios/command/output_file.h"
 
 namespace ballpark::command {
 
-/// One row per frame and body: time, then the columns of the state.
+/// One row per frame and body: time, id, then the columns.
 class CsvFrames : public FrameFile {
  public:
-  explicit CsvFrames(const std::string& path) : file_(path) {}
-  void add(const World& world) override;
+  CsvFrames(const std::string& path, bool single) : file_(path), single_(single) {}
+  void begin(const FrameLayout& layout) override;
+  void add(const Frames& frames) override;
   void finish() override { file_.commit(); }
+  std::uint64_t bytes() const override { return file_.bytes(); }
 
  private:
   OutputFile file_;
-  std::optional<CarriedColumns> carried_;
+  bool single_;
+  FrameLayout layout_;
 };
 
-/// Header, then one row per body.
-void write_state(const World& world, OutputFile& file);
+/// Header, then one row per body: id, then what bodies carry.
+void write_state(const World& world, const Scene& scene, OutputFile& file);
 
 }  // namespace ballpark::command

@@ -52,13 +52,20 @@ inline constexpr const char* run =
     "--set effects.gravity.acceleration=[0,0,-1.62]. The value is TOML; a plain word\n"
     "needs no quotes.\n"
     "\n"
-    "Series (--out, [[output]]): .npz opens in numpy.load, with arrays time [T],\n"
-    "id [N], position and velocity [T,N,3], and where bodies carry them orientation\n"
-    "[T,N,4] and angular_velocity [T,N,3]; stored, not compressed. .csv has a row per\n"
-    "time and body.\n"
-    "--state has a row per body, 17 digits. Paths are relative to the current folder;\n"
-    "files appear whole at the end. After Ctrl-C series hold the frames so far, and\n"
-    "--state is not written.\n";
+    "Series (--out, [[output]]) hold time, id, position and velocity, and where bodies\n"
+    "carry them orientation and angular velocity; their ending says how:\n"
+    "  .npz        numpy.load: arrays time [T], id [N], position and velocity [T,N,3],\n"
+    "              orientation [T,N,4] (w,x,y,z); stored, not compressed\n"
+    "  .csv        a row per time and body\n"
+    "  .xyz        extended XYZ for OVITO and ASE, in SI; orientation is x,y,z,w there\n"
+    "  .pvd, .vtp  ParaView: a file NAME_0000.vtp each frame, and NAME.pvd to open\n"
+    "What OVITO and ParaView draw has radii too; .vtp is in single precision unless\n"
+    "--out-precision says otherwise. Another thread writes; the summary says what that\n"
+    "took. --state has a row per body, 17 digits.\n"
+    "\n"
+    "Paths are relative to the current folder. .vtp appear frame by frame, the rest\n"
+    "whole at the end. After Ctrl-C or kill series hold the frames so far, and --state\n"
+    "is not written.\n";
 
 inline constexpr const char* explain =
     "Example:\n"

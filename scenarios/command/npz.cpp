@@ -8,9 +8,12 @@
 #include <bit>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <numeric>
 #include <utility>
 
 #include "scenarios/command/errors.h"
+#include "scenarios/command/number_text.h"
 
 namespace ballpark::command {
 namespace {
@@ -57,50 +60,47 @@ using Archive = std::unique_ptr<zip_t, Discard>;
 
 ArraySpool::ArraySpool(std::string name, std::string type, const std::string& folder)
     : name_(std::move(name)), type_(std::move(type)), file_(unnamed_file(folder)) {
-  append(std::string(header_size, ' ').data(), header_size);
+  append(std::string(header_size, ' '));
 }
 
-void ArraySpool::append(const void* data, std::size_t size) {
-  if (std::fwrite(data, 1, size, file_.get()) != size) spool_failed();
+void ArraySpool::append(std::string_view data) {
+  if (std::fwrite(data.data(), 1, data.size(), file_.get()) != data.size()) spool_failed();
 }
 
 std::FILE* ArraySpool::close(const std::vector<std::size_t>& shape) {
   if (std::fseek(file_.get(), 0, SEEK_SET) != 0) spool_failed();
-  append(npy_header(type_, shape).data(), header_size);
+  append(npy_header(type_, shape));
   if (std::fseek(file_.get(), 0, SEEK_SET) != 0) spool_failed();  // libzip reads from where it stands
   return file_.release();
 }
 
-NpzFrames::NpzFrames(const std::string& path)
+NpzFrames::NpzFrames(const std::string& path, bool single)
     : file_(path, true),
+      single_(single),
       folder_(folder_of(file_.working_path())),
+      type_(single ? "<f4" : "<f8"),
       time_("time", "<f8", folder_),
-      id_("id", "<u8", folder_),
-      position_("position", "<f8", folder_),
-      velocity_("velocity", "<f8", folder_) {}
+      id_("id", "<u8", folder_) {}
 
-void NpzFrames::begin(const World& world) {
-  begun_ = true;
-  bodies_ = world.body_count();
-  const CarriedColumns carried = carried_columns(world);
-  if (carried.orientation) orientation_.emplace("orientation", "<f8", folder_);
-  if (carried.angular_velocity) angular_velocity_.emplace("angular_velocity", "<f8", folder_);
-  for (std::uint64_t id = 0; id < bodies_; ++id) id_.append(&id, sizeof id);
+void NpzFrames::begin(const FrameLayout& layout) {
+  layout_ = layout;
+  std::vector<std::uint64_t> ids(layout.bodies);
+  std::iota(ids.begin(), ids.end(), 0);
+  id_.append({reinterpret_cast<const char*>(ids.data()), ids.size() * sizeof(std::uint64_t)});
+  for (const FrameColumn& column : layout.columns) columns_.emplace_back(column.name, type_, folder_);
+  if (layout.radius.empty()) return;
+  columns_.emplace_back("radius", type_, folder_);
+  append(columns_.back(), layout.radius);
 }
 
-void NpzFrames::add(const World& world) {
-  if (!begun_) begin(world);
-  const double time = world.time();
-  time_.append(&time, sizeof time);
-  for (std::size_t id = 0; id < bodies_; ++id) {
-    const BodyState body = world.body(id);
-    position_.append(body.position.data(), 3 * sizeof(double));
-    velocity_.append(body.velocity.data(), 3 * sizeof(double));
-    const double q[4] = {body.orientation.w, body.orientation.x, body.orientation.y, body.orientation.z};
-    if (orientation_) orientation_->append(q, sizeof q);
-    if (angular_velocity_) angular_velocity_->append(body.angular_velocity.data(), 3 * sizeof(double));
-  }
-  ++frames_;
+void NpzFrames::append(ArraySpool& spool, std::span<const double> values) {
+  spool.append(raw_bytes(values, single_, narrowed_));
+}
+
+void NpzFrames::add(const Frames& frames) {
+  time_.append(raw_bytes(frames.times, false, narrowed_));
+  for (std::size_t c = 0; c < layout_.columns.size(); ++c) append(columns_[c], frames.columns[c]);
+  frames_ += frames.count();
 }
 
 void NpzFrames::finish() {
@@ -115,13 +115,14 @@ void NpzFrames::finish() {
     }
   };
   add_array(time_, {frames_});
-  add_array(id_, {bodies_});
-  add_array(position_, {frames_, bodies_, 3});
-  add_array(velocity_, {frames_, bodies_, 3});
-  if (orientation_) add_array(*orientation_, {frames_, bodies_, 4});
-  if (angular_velocity_) add_array(*angular_velocity_, {frames_, bodies_, 3});
+  add_array(id_, {layout_.bodies});
+  for (std::size_t c = 0; c < layout_.columns.size(); ++c) {
+    add_array(columns_[c], {frames_, layout_.bodies, layout_.columns[c].components()});
+  }
+  if (!layout_.radius.empty()) add_array(columns_.back(), {layout_.bodies});
   if (zip_close(archive.get()) != 0) file_.fail(zip_strerror(archive.get()));
   archive.release();
+  bytes_ = std::filesystem::file_size(file_.working_path());
   file_.commit();
 }
 

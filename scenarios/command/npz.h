@@ -1,15 +1,13 @@
-// The state over time as NumPy's .npz: arrays time [T], id [N], position and velocity [T, N, 3], and where any body
-// carries them orientation [T, N, 4] and angular_velocity [T, N, 3]. Stored, not compressed: states do not compress
-// and np.load stays quick.
+// The state over time as NumPy's .npz: arrays time [T], id [N], a column's name [T, N, 3] (orientation [T, N, 4]), and
+// radius [N] if it was asked for. Stored, not compressed: states do not compress and np.load stays quick.
 #pragma once
 
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "scenarios/command/body_columns.h"
 #include "scenarios/command/frame_file.h"
 #include "scenarios/command/output_file.h"
 
@@ -20,7 +18,7 @@ class ArraySpool {
  public:
   /// `type` as NumPy writes it: "<f8", "<u8". Throws DestinationError.
   ArraySpool(std::string name, std::string type, const std::string& folder);
-  void append(const void* data, std::size_t size);  ///< throws WriteError
+  void append(std::string_view data);  ///< throws WriteError
   /// Writes the header and hands the file over.
   std::FILE* close(const std::vector<std::size_t>& shape);
   const std::string& name() const { return name_; }
@@ -35,19 +33,24 @@ class ArraySpool {
 
 class NpzFrames : public FrameFile {
  public:
-  explicit NpzFrames(const std::string& path);
-  void add(const World& world) override;
+  NpzFrames(const std::string& path, bool single);
+  void begin(const FrameLayout& layout) override;
+  void add(const Frames& frames) override;
   void finish() override;
+  std::uint64_t bytes() const override { return bytes_; }
 
  private:
-  void begin(const World& world);
+  void append(ArraySpool& spool, std::span<const double> values);
 
   OutputFile file_;
-  std::string folder_;
-  ArraySpool time_, id_, position_, velocity_;
-  std::optional<ArraySpool> orientation_, angular_velocity_;
-  bool begun_ = false;
-  std::size_t frames_ = 0, bodies_ = 0;
+  bool single_;
+  std::string folder_, type_;
+  FrameLayout layout_;
+  ArraySpool time_, id_;
+  std::vector<ArraySpool> columns_;  ///< as in the layout, then the radius
+  std::vector<float> narrowed_;
+  std::size_t frames_ = 0;
+  std::uint64_t bytes_ = 0;
 };
 
 }  // namespace ballpark::command

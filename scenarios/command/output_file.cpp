@@ -65,6 +65,7 @@ void OutputFile::fail(const std::string& why) const {
 
 void OutputFile::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail(strerror(errno));
+  bytes_ += text.size();
 }
 
 void OutputFile::commit() {

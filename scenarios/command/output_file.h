@@ -1,6 +1,7 @@
 // A file that appears whole or not at all.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -17,8 +18,9 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  void write(std::string_view text);  ///< throws WriteError
-  void commit();                      ///< throws WriteError
+  void write(std::string_view text);              ///< throws WriteError
+  void commit();                                  ///< throws WriteError
+  std::uint64_t bytes() const { return bytes_; }  ///< written so far
   const std::string& path() const { return path_; }
   const std::string& working_path() const { return working_path_; }
   [[noreturn]] void fail(const std::string& why) const;  ///< throws the WriteError of this file
@@ -26,6 +28,7 @@ class OutputFile {
  private:
   std::string path_, target_, working_path_;  ///< as given; symbolic links followed; "" for a device
   std::FILE* file_ = nullptr;
+  std::uint64_t bytes_ = 0;
 };
 
 /// The folder that a file stands in, "." if its path names none.

@@ -11,8 +11,10 @@
 #include "scenarios/command/expectation_text.h"
 #include "scenarios/command/run_files.h"
 #include "scenarios/command/scene_options.h"
+#include "scenarios/command/series_text.h"
 #include "scenarios/command/terminal.h"
 #include "scenarios/command/text.h"
+#include "scenarios/files/report_json.h"
 
 namespace ballpark::command {
 namespace {
@@ -137,7 +139,7 @@ std::string steps_text(const RunReport& report) {
                      report.integrator, grouped(report.counters.rejected_steps));
 }
 
-void add_facts(Page& text, const RunReport& report, const Scene& scene) {
+void add_facts(Page& text, const RunReport& report, const Scene& scene, const RunFiles& files) {
   const std::string threads = counted(static_cast<std::uint64_t>(report.threads), "thread", "threads");
   std::vector<std::pair<std::string, Cell>> facts{
       {"bodies", grouped(report.bodies)},
@@ -157,6 +159,7 @@ void add_facts(Page& text, const RunReport& report, const Scene& scene) {
   add_stage_facts(facts, report);
   add_contact_facts(facts, report);
   add_events(facts, report);
+  if (const auto costs = files.costs(); !costs.empty()) facts.push_back({"output", series_text(costs)});
   for (auto& field : status_fields(report, scene)) facts.push_back(std::move(field));
   text.fields(std::move(facts));
 }
@@ -177,16 +180,23 @@ void add_verdicts(Page& text, const RunReport& report) {
   text.table(table);
 }
 
-std::string text_of(const RunReport& report, const Scene& scene, const std::vector<std::string>& written) {
+std::string text_of(const RunReport& report, const Scene& scene, const RunFiles& files) {
   Page text = page();
   text.heading(report.scenario);
   if (!scene.doc.empty()) text.paragraph(scene.doc);
   text.blank();
-  add_facts(text, report, scene);
+  add_facts(text, report, scene, files);
   add_verdicts(text, report);
-  if (!written.empty()) text.blank();
-  for (const std::string& path : written) text.line("  wrote " + path);
+  if (!files.written().empty()) text.blank();
+  for (const std::string& path : files.written()) text.line("  wrote " + path);
   return text.text();
+}
+
+// JSON has no NaN or infinity: they become null.
+std::string json_of(const RunReport& report, const RunFiles& files) {
+  Json json = scenes::json_of(report);
+  json["outputs"] = series_json(files.costs());
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 /// The status is among the warnings: the text has told it already.
@@ -224,13 +234,13 @@ Exit run(const Arguments& arguments) {
     };
     report = scenes::run(file, options, hooks);
   }
-  const std::vector<std::string> failures = files.finish();
-  delivery.text(text_of(report, file.scene, files.written()));
-  delivery.json(scenes::to_json(report));
+  const bool all_written = files.finish();
+  delivery.text(text_of(report, file.scene, files));
+  delivery.json(json_of(report, files));
   if (!arguments.quiet) warn(untold_warnings(report, delivery.wants_text()));
   if (arguments.quiet && report.status.code != Status::Code::ok) warn({report.status.sentence});
-  for (const std::string& failure : failures) complain(failure);
-  return exit_code(report, accepted(file.scene, report.status), !failures.empty());
+  for (const std::string& failure : files.failures()) complain(failure);
+  return exit_code(report, accepted(file.scene, report.status), !all_written);
 }
 
 }  // namespace ballpark::command

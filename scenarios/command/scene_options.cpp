@@ -43,16 +43,6 @@ std::string target_named(const std::string& word) {
   return word;
 }
 
-std::size_t rows(const BodyGroup& group) {
-  std::size_t n =
-      std::max({group.radius.size(), group.mass.size(), group.density.size(), group.inertia.size(),
-                group.position.size(), group.velocity.size(), group.angular_velocity.size(), group.orientation.size()});
-  if (!group.generate) return n;
-  std::size_t generated = 1;
-  for (std::size_t count : group.generate->count) generated *= count;
-  return std::max(n, generated);
-}
-
 }  // namespace
 
 std::uint64_t whole_number(const std::string& option, const std::string& text, std::uint64_t lowest,
@@ -129,9 +119,20 @@ void refuse_inputs(const std::vector<std::string>& paths, const scenes::SceneFil
   }
 }
 
+std::size_t body_count(const BodyGroup& group) {
+  std::size_t n =
+      std::max({group.radius.size(), group.mass.size(), group.density.size(), group.inertia.size(),
+                group.position.size(), group.velocity.size(), group.angular_velocity.size(), group.orientation.size()});
+  if (!group.generate) return n;
+  std::size_t generated = 1;
+  for (std::size_t count : group.generate->count) generated *= count;
+  if (group.generate->kind == "rack") generated = generated * (generated + 1) / 2;
+  return std::max(n, generated);
+}
+
 std::size_t body_count(const Scene& scene) {
   std::size_t n = 0;
-  for (const BodyGroup& group : scene.bodies) n += rows(group);
+  for (const BodyGroup& group : scene.bodies) n += body_count(group);
   return n;
 }
 

@@ -28,6 +28,7 @@ bool same_file(const std::string& a, const std::string& b);
 void refuse_inputs(const std::vector<std::string>& paths, const scenes::SceneFile& file);
 
 /// Bodies of one copy.
+std::size_t body_count(const BodyGroup& group);
 std::size_t body_count(const Scene& scene);
 /// Whether the scene says that it runs although this happens.
 bool accepted(const Scene& scene, const Status& status);

@@ -64,6 +64,7 @@ void watch_for_interrupt() {
   action.sa_handler = [](int) { interrupt_seen = 1; };
   action.sa_flags = SA_RESTART | SA_RESETHAND;
   sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
 }
 
 bool interrupted() {

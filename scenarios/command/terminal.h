@@ -17,7 +17,7 @@ void print(const std::string& text);
 void complain(const std::string& text);
 void warn(const std::vector<std::string>& warnings);
 
-/// From now on Ctrl-C sets `interrupted()` instead of ending the program; a second one ends it.
+/// From now on Ctrl-C and `kill` set `interrupted()` instead of ending the program; a second time they end it.
 void watch_for_interrupt();
 bool interrupted();
 

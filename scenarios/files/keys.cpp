@@ -4,6 +4,7 @@
 
 #include "ballpark/catalogue.h"
 #include "scenarios/files/key_rows.h"
+#include "scenarios/files/output_formats.h"
 
 namespace ballpark::scenes {
 
@@ -190,7 +191,15 @@ Rows output_rows() {
       Row("every", number, "s", into_optional(&OutputRequest::every), "Time between frames, the first at 0.")
           .in(positive),
       Row("at", times, "s", into(&OutputRequest::at), "The times of the frames.").in(not_negative),
-      Row("file", text, "", into(&OutputRequest::file), "x.npz or x.csv, relative to where the program runs.").must(),
+      Row("file", text, "", into(&OutputRequest::file),
+          "Relative to where the program runs; the ending is " + output_endings() + ".")
+          .must(),
+      Row("columns", words, "", into(&OutputRequest::columns),
+          "What is written beside time and id; all that bodies carry if left out (radius: where it is drawn).")
+          .one_of(output_columns()),
+      Row("precision", word, "", into(&OutputRequest::precision),
+          "Of the numbers; if left out single in .pvd and .vtp, else double.")
+          .one_of({"single", "double"}),
   };
 }
 

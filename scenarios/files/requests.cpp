@@ -8,6 +8,7 @@
 
 #include "scenarios/files/document.h"
 #include "scenarios/files/keys.h"
+#include "scenarios/files/output_formats.h"
 
 namespace ballpark::scenes {
 
@@ -22,9 +23,13 @@ class RequestCheck {
     for (const double at : request.at) time("output", at, path);
     if (request.every && !request.at.empty()) add(path + ".at", "stands beside every, expected one of the two");
     if (!request.every && request.at.empty()) add(path, "has neither every nor at, expected one of the two");
-    const bool known_format = request.file.ends_with(".npz") || request.file.ends_with(".csv");
-    if (!known_format)
-      add(path + ".file", fmt::format("is \"{}\", expected a file name with .npz or .csv", printable(request.file)));
+    if (!output_format(request.file)) {
+      add(path + ".file",
+          fmt::format("is \"{}\", expected a file name with {}", printable(request.file), output_endings()));
+    }
+    if (lacks_position(request)) {
+      add(path + ".columns", "lack \"position\", expected it among the columns of a file that is drawn");
+    }
   }
 
   void event(const EventRequest& request, const std::vector<EventRequest>& all, const std::string& path) {

@@ -7,42 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "ballpark/scene.h"
-#include "ballpark/world.h"
 #include "scenarios/command/csv.h"
 #include "scenarios/command/errors.h"
-#include "scenarios/command/frame_file.h"
 #include "tests/catch.h"
+#include "tests/unit/command/falling.h"
 #include "tests/unit/command/scratch_folder.h"
 
 using namespace ballpark::command;
 using ballpark::Vector3d;
 
 namespace {
-
-constexpr double step = 1.0 / 64;
-
-ballpark::Scene falling(bool tumbling) {
-  ballpark::Scene scene;
-  scene.name = "falling";
-  scene.run.duration = 1;
-  scene.run.step = step;
-  ballpark::BodyGroup points;
-  points.name = "points";
-  points.mass = {2};
-  points.position = {{0, 0, 1.0 / 3}, {1, 2, 3}};
-  points.velocity = {{0.1, 0.2, 0.3}};
-  scene.bodies = {points};
-  if (tumbling) {
-    ballpark::BodyGroup dice = points;
-    dice.name = "dice";
-    dice.inertia = {{1, 2, 2.5}};
-    dice.angular_velocity = {{1, 2, 3}};
-    scene.bodies.push_back(dice);
-  }
-  scene.effects = {{"gravity", {}, {}}};
-  return scene;
-}
 
 struct Array {
   std::string header;
@@ -71,6 +45,12 @@ std::map<std::string, Array> read_npz(const std::string& path) {
   return arrays;
 }
 
+std::vector<float> floats(const Array& array) {
+  std::vector<float> values(2 * array.values.size());
+  std::memcpy(values.data(), array.values.data(), array.values.size() * sizeof(double));
+  return values;
+}
+
 bool has_shape(const Array& array, const std::string& shape) {
   return array.header.find("'shape': " + shape + ",") != std::string::npos && array.header.back() == '\n';
 }
@@ -80,12 +60,13 @@ bool has_shape(const Array& array, const std::string& shape) {
 TEST_CASE("an npz holds one array a quantity, frame by frame, to the last bit", "[command]") {
   const ScratchFolder folder;
   const std::string path = folder.file("series.npz");
-  ballpark::World world(falling(true));
-  auto frames = open_frame_file(path);
-  frames->add(world);
+  const ballpark::Scene scene = falling(true);
+  ballpark::World world(scene);
+  Filming film(request_of(path), scene, world);
+  film.add(world);
   world.step(3);
-  frames->add(world);
-  frames->finish();
+  film.add(world);
+  film.file->finish();
   CHECK(folder.entries() == 1);
   const auto arrays = read_npz(path);
   REQUIRE(arrays.size() == 6);
@@ -95,7 +76,7 @@ TEST_CASE("an npz holds one array a quantity, frame by frame, to the last bit", 
   CHECK(has_shape(arrays.at("velocity.npy"), "(2, 4, 3)"));
   CHECK(has_shape(arrays.at("orientation.npy"), "(2, 4, 4)"));
   CHECK(has_shape(arrays.at("angular_velocity.npy"), "(2, 4, 3)"));
-  CHECK(arrays.at("time.npy").values == std::vector<double>{0, 3 * step});
+  CHECK(arrays.at("time.npy").values == std::vector<double>{0, 3 * falling_step});
   const std::vector<double>& positions = arrays.at("position.npy").values;
   REQUIRE(positions.size() == 2 * 4 * 3);
   for (std::size_t id = 0; id < 4; ++id) {
@@ -110,10 +91,11 @@ TEST_CASE("an npz holds one array a quantity, frame by frame, to the last bit", 
 
 TEST_CASE("what no body carries is not in the npz", "[command]") {
   const ScratchFolder folder;
-  const ballpark::World world(falling(false));
-  auto frames = open_frame_file(folder.file("series.npz"));
-  frames->add(world);
-  frames->finish();
+  const ballpark::Scene scene = falling(false);
+  const ballpark::World world(scene);
+  Filming film(request_of(folder.file("series.npz")), scene, world);
+  film.add(world);
+  film.file->finish();
   const auto arrays = read_npz(folder.file("series.npz"));
   CHECK(arrays.size() == 4);
   CHECK(arrays.count("orientation.npy") == 0);
@@ -121,32 +103,38 @@ TEST_CASE("what no body carries is not in the npz", "[command]") {
 
 TEST_CASE("equal runs give equal npz files, and no frame is a valid file too", "[command]") {
   const ScratchFolder folder;
+  const ballpark::Scene scene = falling(true);
   for (const char* name : {"a.npz", "b.npz"}) {
-    const ballpark::World world(falling(true));
-    auto frames = open_frame_file(folder.file(name));
-    frames->add(world);
-    frames->finish();
+    const ballpark::World world(scene);
+    Filming film(request_of(folder.file(name)), scene, world);
+    film.add(world);
+    film.file->finish();
   }
   CHECK(contents(folder.file("a.npz")) == contents(folder.file("b.npz")));
-  open_frame_file(folder.file("none.npz"))->finish();
+  const auto none = request_of(folder.file("none.npz"));
+  const auto file = open_frame_file(none, scene);
+  file->begin(layout_without_bodies(none));
+  file->finish();
   CHECK(has_shape(read_npz(folder.file("none.npz")).at("position.npy"), "(0, 0, 3)"));
 }
 
 TEST_CASE("a series that is given up leaves nothing", "[command]") {
   const ScratchFolder folder;
-  const ballpark::World world(falling(false));
-  for (const char* name : {"a.npz", "a.csv"}) open_frame_file(folder.file(name))->add(world);
+  const ballpark::Scene scene = falling(false);
+  const ballpark::World world(scene);
+  for (const char* name : {"a.npz", "a.csv", "a.xyz"}) Filming(request_of(folder.file(name)), scene, world).add(world);
   CHECK(folder.entries() == 0);
 }
 
 TEST_CASE("a series has a row per time and body", "[command]") {
   const ScratchFolder folder;
-  ballpark::World world(falling(false));
-  auto frames = open_frame_file(folder.file("series.csv"));
-  frames->add(world);
+  const ballpark::Scene scene = falling(false);
+  ballpark::World world(scene);
+  Filming film(request_of(folder.file("series.csv")), scene, world);
+  film.add(world);
   world.step(2);
-  frames->add(world);
-  frames->finish();
+  film.add(world);
+  film.file->finish();
   std::istringstream lines(contents(folder.file("series.csv")));
   std::vector<std::string> rows;
   for (std::string row; std::getline(lines, row);) rows.push_back(row);
@@ -158,10 +146,11 @@ TEST_CASE("a series has a row per time and body", "[command]") {
 
 TEST_CASE("a state that is read back has the same bits", "[command]") {
   const ScratchFolder folder;
-  ballpark::World world(falling(true));
+  const ballpark::Scene scene = falling(true);
+  ballpark::World world(scene);
   world.step(7);
   OutputFile file(folder.file("state.csv"));
-  write_state(world, file);
+  write_state(world, scene, file);
   file.commit();
   std::istringstream lines(contents(folder.file("state.csv")));
   std::string header, row;
@@ -182,5 +171,60 @@ TEST_CASE("a state that is read back has the same bits", "[command]") {
 }
 
 TEST_CASE("a series of another ending is refused", "[command]") {
-  for (const char* name : {"a.txt", "a", "a.npz.gz", ""}) CHECK_THROWS_AS(open_frame_file(name), DestinationError);
+  for (const char* name : {"a.txt", "a", "a.npz.gz", ""}) {
+    CHECK_THROWS_AS(open_frame_file(request_of(name), falling(false)), DestinationError);
+  }
+}
+
+TEST_CASE("chosen columns are all that an npz has, in single precision if that is asked for", "[command]") {
+  const ScratchFolder folder;
+  const ballpark::Scene scene = falling(true);
+  ballpark::World world(scene);
+  world.step(5);
+  auto request = request_of(folder.file("series.npz"));
+  request.columns = {"radius", "position"};
+  request.precision = "single";
+  Filming film(request, scene, world);
+  film.add(world);
+  film.file->finish();
+  const auto arrays = read_npz(request.file);
+  REQUIRE(arrays.size() == 4);
+  CHECK(has_shape(arrays.at("radius.npy"), "(4,)"));
+  CHECK(has_shape(arrays.at("position.npy"), "(1, 4, 3)"));
+  CHECK(arrays.at("position.npy").header.find("'<f4'") != std::string::npos);
+  CHECK(arrays.at("time.npy").header.find("'<f8'") != std::string::npos);
+  const auto values = floats(arrays.at("position.npy"));
+  REQUIRE(values.size() == 12);
+  for (std::size_t id = 0; id < 4; ++id) {
+    CHECK(values[3 * id + 2] == static_cast<float>(world.body(id).position.z()));
+  }
+  CHECK(floats(arrays.at("radius.npy")) == std::vector<float>{0, 0, 0.5f, 0.25f});
+}
+
+TEST_CASE("frames show the bodies by id, whatever their groups, copies and precision", "[command]") {
+  const ballpark::Scene scene = falling(true);
+  for (const auto precision :
+       {ballpark::Precision::single_, ballpark::Precision::double_, ballpark::Precision::extended}) {
+    ballpark::Options options;
+    options.copies = 3;
+    options.perturb = 1e-3;
+    options.precision = precision;
+    ballpark::World world(scene, options);
+    world.step(4);
+    const FrameReader reader(world, scene, request_of("x.pvd"));
+    Frames frames;
+    reader.add(world, frames);
+    REQUIRE(reader.layout().columns.size() == 4);
+    REQUIRE(frames.values(0, 0).size() == 12 * 3);
+    for (std::size_t id = 0; id < 12; ++id) {
+      const ballpark::BodyState body = world.body(id);
+      const auto axis = [&](std::size_t column, std::size_t c) { return frames.values(column, 0)[3 * id + c]; };
+      CHECK(Vector3d(axis(0, 0), axis(0, 1), axis(0, 2)) == body.position);
+      CHECK(Vector3d(axis(2, 0), axis(2, 1), axis(2, 2)) == body.velocity);
+      CHECK(Vector3d(axis(3, 0), axis(3, 1), axis(3, 2)) == body.angular_velocity);
+      CHECK(frames.values(1, 0)[4 * id + 3] == body.orientation.z);
+    }
+    CHECK(reader.layout().radius[11] == 0.25);
+    CHECK(reader.layout().radius[4] == 0);
+  }
 }

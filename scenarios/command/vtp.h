@@ -1,0 +1,41 @@
+// The state over time for ParaView: a VTK PolyData file each frame (name_0000.vtp, ...), and name.pvd that lists them
+// with their times. Numbers are raw bytes behind the XML. Each body is a point with a vertex, so that it can be drawn.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenarios/command/frame_file.h"
+#include "scenarios/command/output_file.h"
+
+namespace ballpark::command {
+
+class VtpFrames : public FrameFile {
+ public:
+  VtpFrames(const std::string& index_path, bool single);
+  void begin(const FrameLayout& layout) override;
+  void add(const Frames& frames) override;
+  void finish() override { write_index(); }
+  std::uint64_t bytes() const override { return bytes_; }
+
+ private:
+  void write_frame(const Frames& frames, std::size_t frame);
+  std::string header(double time) const;
+  std::string data_array(const std::string& attributes, std::size_t components, std::size_t size,
+                         std::size_t& offset) const;
+  bool index_is_due() const;
+  void write_index();
+
+  std::string index_path_, stem_;
+  bool single_;
+  FrameLayout layout_;
+  std::string listed_;  ///< entries of the index
+  std::size_t frames_ = 0, frames_in_index_ = 0;
+  double index_written_ = 0;  ///< [s], of a steady clock
+  std::uint64_t bytes_ = 0;
+  std::vector<std::int32_t> ids_, ends_;  ///< of points and vertices
+  std::vector<float> narrowed_;
+};
+
+}  // namespace ballpark::command

@@ -3,24 +3,23 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
-#include <zip.h>
+#include <zlib.h>
 
 #include <bit>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <numeric>
 #include <utility>
 
 #include "scenarios/command/errors.h"
-#include "scenarios/command/number_text.h"
+#include "scenarios/command/number_bytes.h"
 
 namespace ballpark::command {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "array types are written as little-endian");
 
-constexpr std::size_t header_size = 128;  // fixed, so that it can be written last: numpy asks for a multiple of 64
+constexpr std::size_t header_size = 128;  // a multiple of 64, as numpy asks for
 
 /// A file without a name: gone when closed, and when the program is killed.
 std::FILE* unnamed_file(const std::string& folder) {
@@ -44,34 +43,29 @@ std::string npy_header(const std::string& type, const std::vector<std::size_t>& 
   throw WriteError(fmt::format("spooling frames failed: {}", strerror(errno)));
 }
 
-/// Stored, and dated as NumPy does: equal arrays give equal files.
-bool finish_entry(zip_t* archive, zip_uint64_t index) {
-  constexpr zip_uint16_t first_of_january_1980 = 1 << 5 | 1;
-  return zip_set_file_compression(archive, index, ZIP_CM_STORE, 0) == 0 &&
-         zip_file_set_dostime(archive, index, 0, first_of_january_1980, 0) == 0;
+std::uint32_t crc_of(std::string_view bytes, std::uint32_t before = 0) {
+  return static_cast<std::uint32_t>(crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
-
-struct Discard {
-  void operator()(zip_t* archive) const { zip_discard(archive); }
-};
-using Archive = std::unique_ptr<zip_t, Discard>;
 
 }  // namespace
 
 ArraySpool::ArraySpool(std::string name, std::string type, const std::string& folder)
-    : name_(std::move(name)), type_(std::move(type)), file_(unnamed_file(folder)) {
-  append(std::string(header_size, ' '));
-}
+    : name_(std::move(name)), type_(std::move(type)), file_(unnamed_file(folder)) {}
 
 void ArraySpool::append(std::string_view data) {
   if (std::fwrite(data.data(), 1, data.size(), file_.get()) != data.size()) spool_failed();
+  crc_ = crc_of(data, crc_);
+  size_ += data.size();
 }
 
-std::FILE* ArraySpool::close(const std::vector<std::size_t>& shape) {
-  if (std::fseek(file_.get(), 0, SEEK_SET) != 0) spool_failed();
-  append(npy_header(type_, shape));
-  if (std::fseek(file_.get(), 0, SEEK_SET) != 0) spool_failed();  // libzip reads from where it stands
-  return file_.release();
+void ArraySpool::move_to(StoredZip& archive, OutputFile& file, const std::vector<std::size_t>& shape) {
+  if (std::fflush(file_.get()) != 0) spool_failed();
+  const std::string header = npy_header(type_, shape);
+  const auto crc = crc32_combine(crc_of(header), crc_, static_cast<z_off_t>(size_));
+  archive.begin_entry(name_ + ".npy", header.size() + size_, static_cast<std::uint32_t>(crc));
+  file.write(header);
+  file.write_from(fileno(file_.get()), size_);
+  file_.reset();
 }
 
 NpzFrames::NpzFrames(const std::string& path, bool single)
@@ -86,7 +80,7 @@ void NpzFrames::begin(const FrameLayout& layout) {
   layout_ = layout;
   std::vector<std::uint64_t> ids(layout.bodies);
   std::iota(ids.begin(), ids.end(), 0);
-  id_.append({reinterpret_cast<const char*>(ids.data()), ids.size() * sizeof(std::uint64_t)});
+  id_.append(bytes_of(ids));
   for (const FrameColumn& column : layout.columns) columns_.emplace_back(column.name, type_, folder_);
   if (layout.radius.empty()) return;
   columns_.emplace_back("radius", type_, folder_);
@@ -94,35 +88,24 @@ void NpzFrames::begin(const FrameLayout& layout) {
 }
 
 void NpzFrames::append(ArraySpool& spool, std::span<const double> values) {
-  spool.append(raw_bytes(values, single_, narrowed_));
+  write_numbers(values, single_, [&](std::string_view bytes) { spool.append(bytes); });
 }
 
 void NpzFrames::add(const Frames& frames) {
-  time_.append(raw_bytes(frames.times, false, narrowed_));
+  time_.append(bytes_of(frames.times));
   for (std::size_t c = 0; c < layout_.columns.size(); ++c) append(columns_[c], frames.columns[c]);
   frames_ += frames.count();
 }
 
 void NpzFrames::finish() {
-  int error = 0;
-  Archive archive(zip_open(file_.working_path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &error));
-  if (!archive) file_.fail(strerror(errno));
-  const auto add_array = [&](ArraySpool& spool, const std::vector<std::size_t>& shape) {
-    zip_source_t* source = zip_source_filep(archive.get(), spool.close(shape), 0, -1);
-    const zip_int64_t index = zip_file_add(archive.get(), (spool.name() + ".npy").c_str(), source, ZIP_FL_ENC_UTF_8);
-    if (index < 0 || !finish_entry(archive.get(), static_cast<zip_uint64_t>(index))) {
-      file_.fail(zip_strerror(archive.get()));
-    }
-  };
-  add_array(time_, {frames_});
-  add_array(id_, {layout_.bodies});
+  StoredZip archive(file_);
+  time_.move_to(archive, file_, {frames_});
+  id_.move_to(archive, file_, {layout_.bodies});
   for (std::size_t c = 0; c < layout_.columns.size(); ++c) {
-    add_array(columns_[c], {frames_, layout_.bodies, layout_.columns[c].components()});
+    columns_[c].move_to(archive, file_, {frames_, layout_.bodies, layout_.columns[c].components()});
   }
-  if (!layout_.radius.empty()) add_array(columns_.back(), {layout_.bodies});
-  if (zip_close(archive.get()) != 0) file_.fail(zip_strerror(archive.get()));
-  archive.release();
-  bytes_ = std::filesystem::file_size(file_.working_path());
+  if (!layout_.radius.empty()) columns_.back().move_to(archive, file_, {layout_.bodies});
+  archive.finish();
   file_.commit();
 }
 

@@ -10,6 +10,7 @@
 
 #include "scenarios/command/frame_file.h"
 #include "scenarios/command/output_file.h"
+#include "scenarios/command/stored_zip.h"
 
 namespace ballpark::command {
 
@@ -19,9 +20,8 @@ class ArraySpool {
   /// `type` as NumPy writes it: "<f8", "<u8". Throws DestinationError.
   ArraySpool(std::string name, std::string type, const std::string& folder);
   void append(std::string_view data);  ///< throws WriteError
-  /// Writes the header and hands the file over.
-  std::FILE* close(const std::vector<std::size_t>& shape);
-  const std::string& name() const { return name_; }
+  /// As the next entry of the archive that is written to `file`. Throws WriteError.
+  void move_to(StoredZip& archive, OutputFile& file, const std::vector<std::size_t>& shape);
 
  private:
   struct Closer {
@@ -29,6 +29,8 @@ class ArraySpool {
   };
   std::string name_, type_;
   std::unique_ptr<std::FILE, Closer> file_;
+  std::uint32_t crc_ = 0;  ///< of what was appended
+  std::uint64_t size_ = 0;
 };
 
 class NpzFrames : public FrameFile {
@@ -37,7 +39,7 @@ class NpzFrames : public FrameFile {
   void begin(const FrameLayout& layout) override;
   void add(const Frames& frames) override;
   void finish() override;
-  std::uint64_t bytes() const override { return bytes_; }
+  std::uint64_t bytes() const override { return file_.bytes(); }
 
  private:
   void append(ArraySpool& spool, std::span<const double> values);
@@ -48,9 +50,7 @@ class NpzFrames : public FrameFile {
   FrameLayout layout_;
   ArraySpool time_, id_;
   std::vector<ArraySpool> columns_;  ///< as in the layout, then the radius
-  std::vector<float> narrowed_;
   std::size_t frames_ = 0;
-  std::uint64_t bytes_ = 0;
 };
 
 }  // namespace ballpark::command

@@ -5,9 +5,6 @@
 
 #include <cmath>
 #include <limits>
-#include <span>
-#include <string_view>
-#include <vector>
 
 namespace ballpark::command {
 
@@ -34,14 +31,6 @@ inline void append_digits(fmt::memory_buffer& text, double value, bool single) {
   } else {
     fmt::format_to(fmt::appender(text), "{:.17g}", value);
   }
-}
-
-/// The bytes of the values in either precision. Valid while `values` and `narrowed` stay.
-inline std::string_view raw_bytes(std::span<const double> values, bool single, std::vector<float>& narrowed) {
-  if (!single) return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
-  narrowed.resize(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) narrowed[i] = static_cast<float>(values[i]);
-  return {reinterpret_cast<const char*>(narrowed.data()), narrowed.size() * sizeof(float)};
 }
 
 }  // namespace ballpark::command

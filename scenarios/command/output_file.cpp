@@ -5,9 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 #include "scenarios/command/errors.h"
 
@@ -66,6 +68,25 @@ void OutputFile::fail(const std::string& why) const {
 void OutputFile::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail(strerror(errno));
   bytes_ += text.size();
+}
+
+// The kernel copies, where it can between these files; what it leaves goes by hand.
+void OutputFile::write_from(int descriptor, std::uint64_t size) {
+  if (std::fflush(file_) != 0) fail(strerror(errno));
+  off_t at = 0;
+  const auto end = static_cast<off_t>(size);
+  const auto left = [&] { return static_cast<std::size_t>(end - at); };
+  while (at < end && copy_file_range(descriptor, &at, fileno(file_), nullptr, left(), 0) > 0) {
+  }
+  if (at > 0 && std::fseek(file_, 0, SEEK_END) != 0) fail(strerror(errno));
+  bytes_ += static_cast<std::uint64_t>(at);
+  std::vector<char> piece(at < end ? 1 << 16 : 0);
+  while (at < end) {
+    const ssize_t n = pread(descriptor, piece.data(), std::min(piece.size(), left()), at);
+    if (n <= 0) fail(n < 0 ? strerror(errno) : "what was spooled for it is gone");
+    write({piece.data(), static_cast<std::size_t>(n)});
+    at += n;
+  }
 }
 
 void OutputFile::commit() {

@@ -18,7 +18,9 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  void write(std::string_view text);              ///< throws WriteError
+  void write(std::string_view text);  ///< throws WriteError
+  /// The first `size` bytes of another file. Throws WriteError.
+  void write_from(int descriptor, std::uint64_t size);
   void commit();                                  ///< throws WriteError
   std::uint64_t bytes() const { return bytes_; }  ///< written so far
   const std::string& path() const { return path_; }

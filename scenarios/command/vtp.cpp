@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "scenarios/command/errors.h"
-#include "scenarios/command/number_text.h"
+#include "scenarios/command/number_bytes.h"
 #include "scenarios/command/terminal.h"
 
 namespace ballpark::command {
@@ -38,14 +38,13 @@ std::string file_head(const std::string& type) {
       type);
 }
 
-void write_block(OutputFile& file, std::string_view data) {
-  const Size size = data.size();
+void write_size(OutputFile& file, Size size) {
   file.write({reinterpret_cast<const char*>(&size), sizeof size});
-  file.write(data);
 }
 
-std::string_view bytes_of(const std::vector<std::int32_t>& numbers) {
-  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(std::int32_t)};
+void write_block(OutputFile& file, const std::vector<std::int32_t>& numbers) {
+  write_size(file, bytes_of(numbers).size());
+  file.write(bytes_of(numbers));
 }
 
 }  // namespace
@@ -109,17 +108,22 @@ std::string VtpFrames::header(double time) const {
              time, layout_.bodies, layout_.bodies, data, points, points_of_vertices, ends);
 }
 
+void VtpFrames::write_numbers(OutputFile& file, std::span<const double> values) const {
+  write_size(file, values.size() * (single_ ? sizeof(float) : sizeof(double)));
+  command::write_numbers(values, single_, [&](std::string_view bytes) { file.write(bytes); });
+}
+
 void VtpFrames::write_frame(const Frames& frames, std::size_t frame) {
   const double time = frames.times[frame];
   const std::string path = fmt::format("{}_{:04}.vtp", stem_, frames_);
   OutputFile file(path, true);
   file.write(header(time));
-  write_block(file, bytes_of(ids_));
-  write_block(file, bytes_of(ends_));
+  write_block(file, ids_);
+  write_block(file, ends_);
   for (std::size_t c = 0; c < layout_.columns.size(); ++c) {
-    write_block(file, raw_bytes(frames.values(c, frame), single_, narrowed_));
+    write_numbers(file, frames.values(c, frame));
   }
-  if (!layout_.radius.empty()) write_block(file, raw_bytes(layout_.radius, single_, narrowed_));
+  if (!layout_.radius.empty()) write_numbers(file, layout_.radius);
   file.write("\n</AppendedData>\n</VTKFile>\n");
   file.commit();
   bytes_ += file.bytes();

@@ -2,8 +2,8 @@
 // with their times. Numbers are raw bytes behind the XML. Each body is a point with a vertex, so that it can be drawn.
 #pragma once
 
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "scenarios/command/frame_file.h"
@@ -20,6 +20,7 @@ class VtpFrames : public FrameFile {
   std::uint64_t bytes() const override { return bytes_; }
 
  private:
+  void write_numbers(OutputFile& file, std::span<const double> values) const;
   void write_frame(const Frames& frames, std::size_t frame);
   std::string header(double time) const;
   std::string data_array(const std::string& attributes, std::size_t components, std::size_t size,
@@ -35,7 +36,6 @@ class VtpFrames : public FrameFile {
   double index_written_ = 0;  ///< [s], of a steady clock
   std::uint64_t bytes_ = 0;
   std::vector<std::int32_t> ids_, ends_;  ///< of points and vertices
-  std::vector<float> narrowed_;
 };
 
 }  // namespace ballpark::command

@@ -32,7 +32,7 @@ FACE_LIBRARIES = ["Eigen/"]
 
 # A library that one file alone includes, and the folders where there may be such a file. The tests are not asked.
 ONE_FILE = {r"<(oneapi/)?tbb/": ["engine/core"], r"<CLI/": ["scenarios/command", "perf"],
-            r"<toml\+\+/": ["scenarios/files"], r"<zlib\.h>": ["scenarios/view"]}
+            r"<toml\+\+/": ["scenarios/files"], r"<zlib\.h>": ["scenarios/view", "scenarios/command"]}
 
 # Kernel files, with all that they include, keep to plain loops and simd: no template of these may be built in them.
 NOT_IN_KERNELS = re.compile(r"<(Eigen/|(algorithm|any|array|bit|deque|format|functional|iostream|list|map|memory|"

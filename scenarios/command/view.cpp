@@ -33,7 +33,9 @@ Recorded record(const ViewSubject& subject, const ViewRequest& request, const Op
   scenes::SceneFile file = subject.file;
   file.expectations.clear();
   file.events.clear();
-  file.outputs = {{std::nullopt, request.times, ""}};
+  scenes::OutputRequest frames;
+  frames.at = request.times;
+  file.outputs = {frames};
   view::Recorder recorder(file.scene, options, request.columns, view::frames_of(file.scene.run, request.times));
   Progress progress(file.scene.name, !quiet);
   scenes::RunHooks hooks;

@@ -26,7 +26,7 @@ export class Scene {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
     for (const event of ["start", "change", "end"]) this.controls.addEventListener(event, changed);
-    this.controls.addEventListener("start", () => (this.dragged = true));
+    this.controls.addEventListener("start", () => (this.dragged = this.touched = true));
     this.controls.addEventListener("end", () => (this.dragged = false));
 
     this.parts = runs.map((run) => this.part(run, smooth));
@@ -60,6 +60,8 @@ export class Scene {
 
   /// Looks at everything, from a direction in degrees.
   fit(look = this.look) {
+    this.fitted = look;
+    this.touched = false;
     const [, , width, height] = this.area(0);
     const middle = this.box.getCenter(new THREE.Vector3());
     this.controls.target.copy(fit(this.camera, this.points, middle, width / height, look));

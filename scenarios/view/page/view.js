@@ -198,6 +198,7 @@ class Page {
     if (!scene) return;
     scene.views = state.mode === "beside" ? runs.length : 1;
     scene.resize();
+    if (scene.fitted && !scene.touched) scene.fit(scene.fitted); // until somebody chooses another look
     const areas = scene.views > 1 ? runs.map((_, i) => scene.area(i)) : [];
     viewNames(this.names, runs, areas, this.canvas.clientHeight);
     this.redraw();

@@ -27,12 +27,12 @@ double zero_between(World& world, const Watch& watch, double a, double fa, doubl
   constexpr int most = 200;
   const double close = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
   int side = 0;
-  for (int i = 0; i < most && fb != 0 && b - a > close; ++i) {
-    const double middle = a + (b - a) / 2, line = b - fb * ((b - a) / (fb - fa));
+  const bool rising = fa < 0;
+  for (int i = 0; i < most && b - a > close; ++i) {
+    const double middle = a + (b - a) / 2, line = fb == 0 ? b - close : b - fb * ((b - a) / (fb - fa));
     const double t = i % 3 != 2 && line > a && line < b ? line : middle;
     const double value = value_at(world, watch, t);
-    if (value == 0) return t;
-    if ((value > 0) == (fb > 0)) {
+    if (rising ? value >= 0 : value <= 0) {
       b = t, fb = value;
       if (side == 1) fa /= 2;
       side = 1;

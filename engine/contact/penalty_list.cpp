@@ -74,6 +74,7 @@ void Penalty::keep_list(double time, Real h, Workers& workers) {
 
 void Penalty::list(double time, Workers& workers) {
   if (!was_restored_) remember(known_);
+  counters_.lists += !was_restored_;
   was_restored_ = false;
   listed_at_ = time;
   for (std::size_t i = 0; i < bodies.count; ++i) allowance_[i] = settings.margin * bodies.radius[i] + ahead_[i];
@@ -83,7 +84,6 @@ void Penalty::list(double time, Workers& workers) {
   walls_.resize(wall_.size(), bodies.spins);
   set_laws();
   if (bodies.spins) recall();
-  ++counters_.lists;
 }
 
 void Penalty::set_laws() {

@@ -110,6 +110,12 @@ World::Place World::known_place(std::size_t id, const char* call) const {
   return place_of(id);
 }
 
+/// What is changed in a look would be lost with it.
+World::Place World::place_to_change(std::size_t id, const char* call) const {
+  if (looks_ > 0) refuse(call, "called from within a look, whose changes are lost; expected a call between steps");
+  return known_place(id, call);
+}
+
 std::size_t World::row_of(std::size_t id) const {
   if (id >= body_count()) throw std::out_of_range("no body has this id");
   const Place place = place_of(id);
@@ -134,7 +140,7 @@ BodyState World::body(std::size_t id) const {
 }
 
 void World::set(std::size_t id, const BodyState& state) {
-  const auto [g, row] = known_place(id, "set");
+  const auto [g, row] = place_to_change(id, "set");
   Group& group = groups_[g];
   require_finite("set", "position", state.position);
   require_finite("set", "velocity", state.velocity);
@@ -186,7 +192,7 @@ void World::kick(const Place& place, const Vector3d& J, const Vector3d& offset) 
 }
 
 void World::apply_impulse(std::size_t id, const Vector3d& J, const Vector3d& offset) {
-  const Place place = known_place(id, "apply_impulse");
+  const Place place = place_to_change(id, "apply_impulse");
   require_finite("apply_impulse", "J", J);
   require_finite("apply_impulse", "offset", offset);
   if (!groups_[place.group].spins() && offset != Vector3d::Zero()) {
@@ -196,7 +202,7 @@ void World::apply_impulse(std::size_t id, const Vector3d& J, const Vector3d& off
 }
 
 void World::schedule_impulse(const Impulse& impulse) {
-  const Place place = known_place(impulse.id, "apply_impulse_at");
+  const Place place = place_to_change(impulse.id, "apply_impulse_at");
   require_finite("apply_impulse_at", "J", impulse.J);
   require_finite("apply_impulse_at", "offset", impulse.offset);
   if (!std::isfinite(impulse.at) || impulse.at < time()) {
@@ -212,7 +218,7 @@ void World::schedule_impulse(const Impulse& impulse) {
 /// An instance of the effect `force` or `torque` for one body.
 void World::apply_load(const std::string& kind, std::size_t id, const Vector3d& load, double at, double until) {
   const std::string call = "apply_" + kind;
-  const Place place = known_place(id, call.c_str());
+  const Place place = place_to_change(id, call.c_str());
   require_finite(call.c_str(), kind.c_str(), load);
   if (!(at < until)) refuse(call, "until is not after at");
   if (until <= time()) refuse(call, "until is over, expected a time from now on");

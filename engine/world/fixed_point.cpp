@@ -148,7 +148,7 @@ StageTally FixedPoint::tally(const std::vector<Group>& groups, ImplicitStep::IdO
 StepLimitReport World::hardest_to_iterate() const {
   StepLimitReport least{"", std::numeric_limits<double>::infinity()};
   const auto consider = [&](const std::string& whose, const Stiffness& per_mass) {
-    const double largest = FixedPoint::largest_step(*row_, per_mass);
+    const double largest = FixedPoint::largest_step(*row_, per_mass) * (impulse_ ? impulse_->substeps : 1);
     if (largest < least.largest) least = {whose, largest};
   };
   for (const auto& [whose, per_mass] : stiffnesses_) consider(whose, per_mass);

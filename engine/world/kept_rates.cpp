@@ -50,7 +50,10 @@ std::vector<double> World::pace() const {
           static_cast<double>(known_sets_),
           static_cast<double>(turns_),
           static_cast<double>(stuck_),
-          static_cast<double>(load_count())};
+          static_cast<double>(load_count()),
+          part_,
+          static_cast<double>(next_event_),
+          static_cast<double>(events_.size())};
 }
 
 void World::set_pace(const std::vector<double>& pace) {
@@ -62,6 +65,7 @@ void World::set_pace(const std::vector<double>& pace) {
   known_sets_ = static_cast<int>(pace[6]);
   turns_ = static_cast<std::size_t>(pace[7]);
   stuck_ = pace[8] != 0;
+  part_ = pace[10];
   for (Group& group : groups_) group.rates = group.rate_columns;
   arrange_rates();
   if (pace[9] != static_cast<double>(load_count())) forget_rates();  // asked for since

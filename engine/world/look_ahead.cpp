@@ -27,15 +27,19 @@ bool World::approach(double t, double end, std::uint64_t most_steps) {
     advance_to(t, most_steps);
     return time() + step_ * (1 - on_the_step) > t * (1 - rounding);
   }
-  for (std::uint64_t i = 0; i < most_steps && !stuck_; ++i) {
+  const auto there = [&] {
     const double left = elapsed_.until(t);
-    if (left <= 0 || (t < end && planned_step() > left)) return true;
+    return left <= 0 || (t < end && planned_step() > left);
+  };
+  for (std::uint64_t i = 0; i < most_steps && !stuck_; ++i) {
+    if (there()) return true;
     run(1, end);
   }
-  return elapsed_.until(t) <= 0;
+  return there();
 }
 
 void World::look_ahead(double t, FunctionRef<void()> look) {
+  if (!std::isfinite(t)) throw SceneError("look_ahead", fmt::format("{} s is no time; expected a finite one", t));
   const double near = adaptive_ ? 0 : rounding * t;
   if (t <= time() + near && t >= time() - near - on_the_step * step_) return look();
   if (!(t > time())) {
@@ -43,14 +47,12 @@ void World::look_ahead(double t, FunctionRef<void()> look) {
                      fmt::format("{} s is before {} s, where the world is; expected a later time", t, time()));
   }
   const Snapshot now = snapshot();
-  const std::size_t next_event = next_event_;
   const Stiffness watched = watched_stiffness_;
   const bool profiling = std::exchange(profiling_, false);
-  const double part = part_;
+  ++looks_;
   const auto come_back = [&] {
-    part_ = part;
+    --looks_;
     restore(now);
-    next_event_ = next_event;
     watched_stiffness_ = watched;
     profiling_ = profiling;
   };

@@ -122,7 +122,9 @@ void World::restore(const Snapshot& snapshot) {
   if (contacts_) contacts_->set_counters(snapshot.counters);
   status_ = snapshot.status;
   watched_stiffness_ = {snapshot.counters.contact_spring, snapshot.counters.contact_damping};
-  const double now = time() - 1e-9 * step_;
+  next_event_ = static_cast<std::size_t>(snapshot.pace[11]);
+  if (snapshot.pace[12] == static_cast<double>(events_.size())) return;
+  const double now = time() - 1e-9 * step_;  // some were asked for since
   next_event_ = static_cast<std::size_t>(
       std::lower_bound(events_.begin(), events_.end(), now, [](const Event& e, double at) { return e.at < at; }) -
       events_.begin());

@@ -338,8 +338,8 @@ StepLimit World::limit_of(const Stiffness& per_mass) const {
 /// A contact swings for half a turn: what grows at every step is reported when that is more than a tenth of it.
 void World::judge_contacts(const Stiffness& of_contacts) {
   if (adaptive_) return;
-  const Stiffness all = of_contacts + beside_contacts();
-  const StepLimit limit = limit_of(all);
+  const Stiffness all = of_contacts + beside_contacts();  // stages that are iterated tell of themselves
+  const StepLimit limit = f64::step_limit(row_->name, step_, all.spring, all.damping, all.gyration);
   const double steps = 3.14159 / (std::sqrt(all.spring) * step_);
   const bool exceeded = limit.largest > 0 && step_ > limit.largest * (1 + 1e-6);
   const bool grows = limit.largest == 0 && std::exp(std::log(limit.growth) * steps) > 1.1;

@@ -20,7 +20,7 @@ void World::step(std::uint64_t n) {
 
 void World::advance_to(double t, std::uint64_t most_steps) {
   if (adaptive_) return run(most_steps, t);
-  const double steps = std::floor(t / step_ + on_the_step), done = static_cast<double>(counters_.steps);
+  const double steps = std::floor((t - part_) / step_ + on_the_step), done = static_cast<double>(counters_.steps);
   if (steps > done) step(std::min(most_steps, static_cast<std::uint64_t>(steps - done)));
 }
 

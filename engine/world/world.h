@@ -139,6 +139,7 @@ class World : public WorldInterface {
   std::uint64_t structure() const;
   Place place_of(std::size_t id) const;
   Place known_place(std::size_t id, const char* call) const;
+  Place place_to_change(std::size_t id, const char* call) const;
   void kick(const Place& place, const Vector3d& J, const Vector3d& offset);
   std::size_t id_of(const Group& group, std::size_t row) const;
 
@@ -176,6 +177,7 @@ class World : public WorldInterface {
   std::string not_differentiated_;           ///< why stages are iterated; "": they are not
   double step_ = 0, duration_ = 0;
   double part_ = 0;  ///< of a step, where a look has gone [s]
+  int looks_ = 0;    ///< one in the other: how many this is the state of
   bool fused_ = true;
   std::string path_reason_;
   std::size_t per_copy_ = 0, copies_ = 1;

@@ -97,7 +97,13 @@ std::vector<ExactMotion> exact_motions(const Scene& scene, const World& world, c
 std::optional<Track> tracked(const Scene& scene, const Setting& setting, const Samples& samples, const Options& options,
                              const GoOn& go_on) {
   if (!check(scene_with(scene, setting)).empty()) return std::nullopt;
-  Subject subject(scene, setting, options);
+  std::optional<Subject> made;
+  try {
+    made.emplace(scene, setting, options);
+  } catch (const SceneError&) {  // some limits of steps are known only now
+    return std::nullopt;
+  }
+  Subject& subject = *made;
   Track track(samples);
   if (!subject.follow(samples, track, go_on) || !subject.trouble().empty() || !track.known.back()) return std::nullopt;
   if (!subject.find_events(samples, track, go_on)) return std::nullopt;

@@ -45,7 +45,7 @@ Json by_quantity(const std::array<double, quantity_count>& values) {
 
 /// Where the scene has events, and the run as many as the reference.
 bool tells_event_times(const Point& point, const Result& result) {
-  return !result.events.empty() && point.errors.events.different.empty();
+  return !result.events.empty() && point.trouble.empty() && point.errors.events.different.empty();
 }
 
 /// Absolute, and over the reference's largest value of each quantity.

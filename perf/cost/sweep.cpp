@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "perf/cost/contacts.h"
@@ -104,10 +105,26 @@ void add_troubles(Result& result) {
 
 }  // namespace
 
+namespace {
+
+/// nullptr, and why, if the world cannot be built: some limits of steps are known only then.
+std::unique_ptr<Subject> subject_of(const Ground& ground, const Setting& setting, std::string& why) {
+  try {
+    return std::make_unique<Subject>(ground.scene, setting, ground.options);
+  } catch (const SceneError& error) {
+    why = error.problems().front().message;
+    return nullptr;
+  }
+}
+
+}  // namespace
+
 Point measured_point(const Ground& ground, const Setting& setting, const GoOn& go_on) {
   Point point;
   point.setting = setting;
-  Subject subject(ground.scene, setting, ground.options);
+  const std::unique_ptr<Subject> made = subject_of(ground, setting, point.trouble);
+  if (!made) return point;
+  Subject& subject = *made;
   Track track(ground.samples);
   if (!subject.follow(ground.samples, track, go_on)) {
     point.trouble = "takes too long";

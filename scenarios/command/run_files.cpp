@@ -36,6 +36,7 @@ std::vector<std::string> column_names(const std::string& list) {
     }
     names.push_back(word);
   }
+  if (names.empty()) throw UsageError("--columns: is empty, expected some of " + joined(scenes::output_columns()));
   return names;
 }
 

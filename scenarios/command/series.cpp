@@ -35,7 +35,6 @@ void Series::add(const World& world) {
   if (!filling_ && !wait_for_batch()) return;
   const double start = now();
   reader_->add(world, *filling_);
-  ++cost_.frames;
   const double end = now();
   cost_.copying += end - start;
   if (filling_->bytes() >= full_batch || end - handed_over_ > longest_delay) hand_over();
@@ -75,6 +74,7 @@ bool Series::finish() {
   if (!reader_) layout_ = layout_without_bodies(request_);
   if (!thread_.joinable()) thread_ = std::thread([this] { write(); });
   end(true);
+  cost_.failed = failed_;
   return !failed_;
 }
 
@@ -110,6 +110,7 @@ void Series::write_all() {
   timed([this] { file_->begin(layout_); });
   while (std::unique_ptr<Frames> batch = next_batch()) {
     timed([&] { file_->add(*batch); });
+    cost_.frames += batch->count();
     batch->clear();
     {
       const std::lock_guard lock(mutex_);

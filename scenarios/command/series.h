@@ -17,8 +17,9 @@ namespace ballpark::command {
 /// What a series took.
 struct SeriesCost {
   std::string file;
-  std::size_t frames = 0;
+  std::size_t frames = 0;  ///< written
   std::uint64_t bytes = 0;
+  bool failed = false;                  ///< frames are missing
   double writing = 0, writing_cpu = 0;  ///< by the writing thread: on the clock, and of the processor [s]
   double copying = 0, waiting = 0;      ///< that the run stood still meanwhile [s]
 };

@@ -36,7 +36,8 @@ Recorded record(const ViewSubject& subject, const ViewRequest& request, const Op
   scenes::OutputRequest frames;
   frames.at = request.times;
   file.outputs = {frames};
-  view::Recorder recorder(file.scene, options, request.columns, view::frames_of(file.scene.run, request.times));
+  const view::Limits limits{.memory = view::Limits{}.memory / static_cast<double>(request.subjects.size())};
+  view::Recorder recorder(file.scene, options, request.columns, view::frames_of(file.scene.run, request.times), limits);
   Progress progress(file.scene.name, !quiet);
   scenes::RunHooks hooks;
   hooks.writers = {[&](const World& world) { recorder.add(world); }};
@@ -166,7 +167,7 @@ void write_page(const std::vector<Recorded>& all, const ViewRequest& request, Ou
   const std::string content = view::page(title_of(all), runs);
   write(file, content);
   delivery.text(text_of(all, runs, file.path(), content.size()));
-  delivery.json(json_of(all, runs, file.path(), content.size()).dump(2));
+  delivery.json(json_of(all, runs, file.path(), content.size()).dump(2, ' ', false, Json::error_handler_t::replace));
   if (!quiet) warn_of(all, runs);
 }
 
@@ -190,7 +191,7 @@ void write_picture(const Recorded& one, const ViewRequest& request, OutputFile& 
                   {"time", recording.times.back()},
                   {"bodies", recording.bodies},
                   {"shown", recording.shown}};
-  delivery.json(json.dump(2));
+  delivery.json(json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace

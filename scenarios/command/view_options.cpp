@@ -128,7 +128,7 @@ Vector3d direction(const std::string& text) {
     const double size = real_number("--from", parts[c].substr(negative), true);
     from[static_cast<Eigen::Index>(c)] = negative ? -size : size;
   }
-  if (from.norm() > 0) return from;
+  if (from.cwiseAbs().maxCoeff() > 0) return from;
   throw UsageError(fmt::format("--from: '{}' is not a direction x,y,z (for example 1,-1.6,0.9)", text));
 }
 

@@ -141,7 +141,7 @@ void VtpFrames::write_index() {
   OutputFile index(index_path_, true);
   index.write(file_head("Collection") + "<Collection>\n" + listed_ + "</Collection>\n</VTKFile>\n");
   index.commit();
-  bytes_ += index.bytes();
+  index_bytes_ = index.bytes();
   frames_in_index_ = frames_;
   index_written_ = now();
 }

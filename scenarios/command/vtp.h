@@ -17,7 +17,7 @@ class VtpFrames : public FrameFile {
   void begin(const FrameLayout& layout) override;
   void add(const Frames& frames) override;
   void finish() override { write_index(); }
-  std::uint64_t bytes() const override { return bytes_; }
+  std::uint64_t bytes() const override { return bytes_ + index_bytes_; }
 
  private:
   void write_numbers(OutputFile& file, std::span<const double> values) const;
@@ -34,7 +34,7 @@ class VtpFrames : public FrameFile {
   std::string listed_;  ///< entries of the index
   std::size_t frames_ = 0, frames_in_index_ = 0;
   double index_written_ = 0;  ///< [s], of a steady clock
-  std::uint64_t bytes_ = 0;
+  std::uint64_t bytes_ = 0, index_bytes_ = 0;
   std::vector<std::int32_t> ids_, ends_;  ///< of points and vertices
 };
 

@@ -49,16 +49,22 @@ void EventLog::step(std::uint64_t n, double length) {
   advance_watching(world_, inside_the_next, watches_, n);
 }
 
-/// A step that passes t is taken to see that it does; it will be taken again, and its events found again.
+/// Steps on to t are taken to find what is until then; they are taken again, and their events found again.
 bool EventLog::approach(double t, double end, std::uint64_t most_steps) {
-  for (std::uint64_t i = 0; i < most_steps && world_.time() < t; ++i) {
+  for (std::uint64_t i = 0; i < most_steps; ++i) {
+    const bool there = world_.approach(t, end, 0);
     const Snapshot start = world_.snapshot();
+    const std::uint64_t steps = world_.steps();
     advance_watching(world_, end, watches_, 1);
-    if (world_.time() == start.time) return false;
-    if (world_.time() > t) {
-      world_.restore(start);
-      return true;
+    if (world_.steps() == steps) return there;
+    if (!there) continue;
+    while (world_.time() < t) {
+      const std::uint64_t before = world_.steps();
+      advance_watching(world_, end, watches_, 1);
+      if (world_.steps() == before) break;
     }
+    world_.restore(start);
+    return true;
   }
   return world_.time() >= t;
 }

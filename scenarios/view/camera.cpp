@@ -34,7 +34,7 @@ Vector3d usual_direction(const Box& box) {
 Camera camera_on(const Box& box, const Vector3d& direction, int width, int height) {
   constexpr double half_angle = 16 * std::numbers::pi / 180, filled = 0.92;
   Camera camera;
-  camera.forward = -direction.normalized();
+  camera.forward = -direction.stableNormalized();
   const bool steep = camera.forward.head<2>().norm() < 1e-6;  // from straight above: y is up
   camera.right = camera.forward.cross(steep ? Vector3d::UnitY() : Vector3d::UnitZ()).normalized();
   camera.up = camera.right.cross(camera.forward);

@@ -60,7 +60,8 @@ unsigned part_of(double value, double low, double high, double parts) {
                     : 0;
 }
 
-void add_amount(Columns& columns, const std::string& name, const std::string& unit, const std::vector<float>& values) {
+template <class Number>
+void add_amount(Columns& columns, const std::string& name, const std::string& unit, const std::vector<Number>& values) {
   if (values.empty()) return;
   const double most = *std::max_element(values.begin(), values.end());
   columns.add({name, 1, 8, 1, std::pair(0.0, most), unit},

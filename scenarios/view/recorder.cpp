@@ -52,7 +52,7 @@ Recorder::Recorder(const Scene& scene, const Options& options, Columns columns, 
 }
 
 double Recorder::bytes_per_body() const {
-  return 12 + 6 * columns_.orientation + 4 * columns_.speed + 4 * columns_.energy + columns_.contacts;
+  return 12 + 6 * columns_.orientation + 4 * columns_.speed + 8 * columns_.energy + columns_.contacts;
 }
 
 void Recorder::begin(const World& world) {
@@ -82,7 +82,9 @@ void Recorder::begin(const World& world) {
 void Recorder::add_body(const BodyState& body, std::size_t index) {
   const Vector3d place = body.position - recording_.origin;
   const Quaternion& q = body.orientation;
-  const bool finite = place.allFinite() && body.velocity.allFinite() && std::isfinite(q.w + q.x + q.y + q.z);
+  const double speed = body.velocity.norm();
+  const bool finite = place.cast<float>().allFinite() && std::isfinite(static_cast<float>(speed)) &&
+                      std::isfinite(q.w + q.x + q.y + q.z) && body.angular_velocity.allFinite();
   const std::size_t row = recording_.shown;
   if (!finite) {
     held_count_ += !held_[index];
@@ -98,10 +100,8 @@ void Recorder::add_body(const BodyState& body, std::size_t index) {
     const double sign = q.w < 0 ? -1 : 1;
     for (const double component : {q.x, q.y, q.z}) recording_.orientation.push_back(quantised(sign * component));
   }
-  if (columns_.speed) recording_.speed.push_back(static_cast<float>(body.velocity.norm()));
-  if (columns_.energy) {
-    recording_.energy.push_back(static_cast<float>(kinetic_energy(body, shown_.inertias[index])));
-  }
+  if (columns_.speed) recording_.speed.push_back(static_cast<float>(speed));
+  if (columns_.energy) recording_.energy.push_back(kinetic_energy(body, shown_.inertias[index]));
 }
 
 void Recorder::add_series(const World& world, double seconds_since) {

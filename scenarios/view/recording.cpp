@@ -47,7 +47,15 @@ Quaternion orientation_of(const Recording& recording, std::size_t frame, std::si
 }
 
 Recording thinned(const Recording& recording, std::size_t factor) {
-  Recording thin = recording;
+  Recording thin;
+  thin.scenario = recording.scenario, thin.label = recording.label, thin.doc = recording.doc;
+  thin.bodies = recording.bodies;
+  thin.times = recording.times;
+  thin.groups = recording.groups;
+  thin.boundaries = recording.boundaries;
+  thin.origin = recording.origin;
+  thin.series = recording.series;
+  thin.notes = recording.notes;
   std::vector<std::size_t> kept;
   for (ShownGroup& group : thin.groups) {
     const ShownGroup all = group;

@@ -41,7 +41,7 @@ struct Recording {
   std::vector<float> position;             ///< x, y, z [m]
   std::vector<std::uint16_t> orientation;  ///< x, y, z of the quaternion with w >= 0; 0: -1, 65535: 1
   std::vector<float> speed;                ///< [m/s]
-  std::vector<float> energy;               ///< kinetic [J]
+  std::vector<double> energy;              ///< kinetic [J]
   std::vector<std::uint8_t> contacts;      ///< of the body, at most 255
   std::vector<Series> series;
   std::vector<std::string> notes;

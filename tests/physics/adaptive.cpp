@@ -283,7 +283,7 @@ TEST_CASE("tolerance: penalty contacts stop what comes out of a long flight", "[
       INFO(name << " at " << tolerance << ": " << world.steps() << " steps, lowest " << lowest);
       CHECK(world.status().sentence == "ok");
       CHECK(lowest > 0);
-      CHECK(std::abs(world.totals().energy() / energy - 1) < std::max(0.2, 1e3 * tolerance));
+      CHECK(std::abs(world.totals().energy() / energy - 1) < 40 * std::pow(tolerance, 2.0 / 3));
       CHECK(world.counters().missed == 0);
     }
   }

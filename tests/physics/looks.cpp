@@ -170,6 +170,53 @@ TEST_CASE("a look at the end of many tiny steps is at the last of them", "[physi
   CHECK(seen);
 }
 
+TEST_CASE("a snapshot taken in a look is of its time, and a run goes on from there", "[physics]") {
+  for (const double tolerance : {0.0, 1e-9}) {
+    World world(swing("dormand_prince5", tolerance > 0 ? 0 : 0.01, tolerance));
+    Snapshot then;
+    world.look_ahead(1.2345, [&] { then = world.snapshot(); });
+    world.restore(then);
+    CHECK(std::abs(world.time() - 1.2345) < 1e-12);
+    CHECK(std::abs(world.body(0).position.x() - std::cos(1.2345)) < 1e-7);
+    world.advance_to(2.5);
+    CHECK(world.time() <= 2.5);
+    CHECK(world.time() > 2.48);
+    CHECK(std::abs(world.body(0).position.x() - std::cos(world.time())) < 1e-7);
+  }
+}
+
+TEST_CASE("what changes the world is refused in a look, and times without end", "[physics]") {
+  World world(swing("rk4", 0.1));
+  world.look_ahead(0.33, [&] {
+    CHECK_THROWS_AS(world.set(0, world.body(0)), SceneError);
+    CHECK_THROWS_AS(world.apply_impulse(0, {1, 0, 0}), SceneError);
+    CHECK_THROWS_AS(world.apply_impulse_at(0.5, 0, {1, 0, 0}), SceneError);
+    CHECK_THROWS_AS(world.apply_force(0, {1, 0, 0}, 0.5, 0.6), SceneError);
+  });
+  CHECK_THROWS_AS(world.look_ahead(std::numeric_limits<double>::infinity(), [] {}), SceneError);
+  world.apply_impulse(0, {1, 0, 0});
+}
+
+TEST_CASE("an impulse at the start acts once, whatever is looked at and restored", "[physics]") {
+  Scene made = swing("dormand_prince5", 0, 1e-8);
+  made.impulses = {{0, 0, {0.5, 0, 0}, Vector3d::Zero()}};
+  World world(made), twin(made);
+  world.approach(1e-9, 6);
+  world.restore(world.snapshot());
+  world.advance_to(1);
+  twin.advance_to(1);
+  CHECK(world.state_hash() == twin.state_hash());
+}
+
+TEST_CASE("a value that stays at 0 has its first moment of it", "[physics]") {
+  World world(scene(particle({0, 0, 0}, {1, 0, 0}), {}, 4, 0.5));
+  std::vector<double> times;
+  const std::vector<Watch> watches{zero_of([&] { return std::max(0.0, 1.3 - world.body(0).position.x()); }, times)};
+  advance_watching(world, 4, watches);
+  REQUIRE(times.size() == 1);
+  CHECK(std::abs(times[0] - 1.3) < 2e-15);
+}
+
 TEST_CASE("a look beyond where no step is small enough sees where the run ends", "[physics]") {
   Scene made = scene(particle({1, 0, 0}), {attraction()}, 10, 1, "dormand_prince5");
   made.run.step = 0;

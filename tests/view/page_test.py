@@ -208,7 +208,8 @@ class Picture(PageTest):
             times.append(int(self.browser.evaluate(f"{DRAWN}.drawn")))
         print(f"10,000 bodies x 300 frames, {path.stat().st_size / 1e6:.1f} MB: drawn after {sorted(times)} ms",
               file=sys.stderr)
-        self.assertLess(min(times), 20000)  # 2 s are wanted, on a machine that does nothing else: told, not judged
+        if CHECK_TIMES:
+            self.assertLess(min(times), 2000)
 
 
 class Playing(PageTest):
@@ -349,7 +350,12 @@ class Surroundings(PageTest):
             self.assertIn("cannot be shown", self.browser.evaluate("document.body.innerText"))
 
 
+# Only on a machine that does nothing else: `page_test.py --check-times`.
+CHECK_TIMES = "--check-times" in sys.argv
+
 if __name__ == "__main__":
+    if CHECK_TIMES:
+        sys.argv.remove("--check-times")
     if program() is None:
         print("skipped: no Chromium is installed, which this test needs", file=sys.stderr)
         sys.exit(77)

@@ -8,6 +8,7 @@ namespace ballpark::BALLPARK_PRECISION {
 
 class Bonds : public PairEffect {
  public:
+  static constexpr bool weaves = false;
   explicit Bonds(const PairInput& input);
   void add_forces(const PairBodies& bodies, Workers& workers) override;
   double energy(const PairBodies& bodies, Workers& workers) override;

@@ -22,38 +22,50 @@ MutualGravity::MutualGravity(const PairInput& input)
       count_(input.bodies.count),
       masses_(input.bodies.mass, input.bodies.mass + input.bodies.count) {}
 
-/// A task is some whole copies, which begin with a cache line, or a part of one; so each has slots for a vector.
+/// A task is some whole copies, which begin with a cache line, or a part of one; so each has slots for a vector. Woven
+/// copies and those behind them are tasks apart.
 template <class Act>
 void MutualGravity::for_tasks(const PairBodies& bodies, Workers& workers, Act act) const {
-  constexpr std::size_t line = cache_line / sizeof(Real);
   const std::size_t parts = std::max<std::size_t>(1, count_ / task_slots);  // the last one takes what is left
-  const std::size_t length = parts > 1 ? 1 : line * std::max<std::size_t>(1, task_slots / line / count_);
+  const std::size_t length = parts > 1 ? 1 : woven_width * std::max<std::size_t>(1, task_slots / woven_width / count_);
   const std::size_t copies = bodies.last_copy - bodies.first_copy;
+  const std::size_t woven = std::clamp(bodies.woven, bodies.first_copy, bodies.last_copy) - bodies.first_copy;
+  const std::size_t woven_tasks = (woven + length - 1) / length;
   const auto task = [&](std::size_t t) {
-    const std::size_t copy = bodies.first_copy + t / parts * length, start = copy * count_;
-    const std::size_t first = t % parts * task_slots, last = t % parts + 1 < parts ? first + task_slots : count_;
-    Attraction a{{},        bodies.mass + start,    count_, std::min(length, bodies.last_copy - copy), 0,
-                 strength_, softening_ * softening_};
-    const bool ends = copy + a.copies == bodies.last_copy && last == count_;
-    a.end = ends ? bodies.end - start : (a.copies - 1) * count_ + last;
-    for (int c = 0; c < 3; ++c) a.position[c] = bodies.position[c] + start;
-    act(a, start, first, last);
+    const bool is_woven = t < woven_tasks;
+    const std::size_t rest = t - woven_tasks, begin = is_woven ? t * length : woven + rest / parts * length;
+    const std::size_t end = std::min(begin + length, is_woven ? woven : copies), part = is_woven ? 0 : rest % parts;
+    const std::size_t first = part * task_slots, last = part + 1 < parts ? first + task_slots : count_;
+    const std::size_t start = (bodies.first_copy + begin) * count_;
+    Task of{{{}, bodies.mass + start, count_, end - begin, 0, strength_, softening_ * softening_},
+            start,
+            first,
+            last,
+            is_woven};
+    const bool ends = end == copies && last == count_;
+    of.of.end = ends ? bodies.end - start : (end - begin - 1) * count_ + last;
+    for (int c = 0; c < 3; ++c) of.of.position[c] = bodies.position[c] + start;
+    act(of);
   };
   const bool small = copies * count_ * count_ < small_scene;
-  workers.for_each((copies + length - 1) / length * parts, task, small ? 1 : workers.threads());
+  const std::size_t tasks = woven_tasks + (copies - woven + length - 1) / length * parts;
+  workers.for_each(tasks, task, small ? 1 : workers.threads());
 }
 
 void MutualGravity::add_forces(const PairBodies& bodies, Workers& workers) {
-  for_tasks(bodies, workers, [&](const Attraction& a, std::size_t start, std::size_t first, std::size_t last) {
-    Real* const force[3] = {bodies.force[0] + start, bodies.force[1] + start, bodies.force[2] + start};
-    kernels_.attract(a, first, last, force);
+  for_tasks(bodies, workers, [&](const Task& task) {
+    Real* const force[3] = {bodies.force[0] + task.start, bodies.force[1] + task.start, bodies.force[2] + task.start};
+    if (task.woven) return kernels_.attract_woven(task.of, force);
+    kernels_.attract(task.of, task.first, task.last, force);
   });
 }
 
 double MutualGravity::energy(const PairBodies& bodies, Workers& workers) {
   std::vector<Real> energies(bodies.end);
-  for_tasks(bodies, workers, [&](const Attraction& a, std::size_t start, std::size_t first, std::size_t last) {
-    kernels_.attraction_energy(a, first, last, energies.data() + start);
+  for_tasks(bodies, workers, [&](const Task& task) {
+    Real* of_task = energies.data() + task.start;
+    if (task.woven) return kernels_.woven_attraction_energy(task.of, of_task);
+    kernels_.attraction_energy(task.of, task.first, task.last, of_task);
   });
   double sum = 0;
   for (const Real energy : energies) sum += static_cast<double>(energy);

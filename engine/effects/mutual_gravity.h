@@ -1,5 +1,6 @@
 // Attraction of all bodies by each other: F_i = sum_j G m_i m_j r_ij / (r_ij^2 + s^2)^(3/2), r_ij from i to j.
-// Every pair is looked at from both sides: lanes over bodies, each summing over the others in the order of ids.
+// Every pair is looked at from both sides: lanes over bodies, each summing over the others in the order of ids. Of
+// woven copies, lanes are over copies and a pair is looked at once; both give the same bits.
 #pragma once
 
 #include "engine/effects/pair_kernels.h"
@@ -48,14 +49,20 @@ BALLPARK_INLINE void over_bodies(const Attraction& a, const AttractedLanes<V>& l
   }
 }
 
+/// 1 / (r^2 + s^2)^(3/2). Zero without softening: the body itself, or one at the same place, whose pull has no
+/// direction.
+template <class V>
+BALLPARK_INLINE V inverse_cube(const V& square) {
+  const V zero = V(Real(0));
+  return select(square > zero, V(Real(1)) / (square * square_root(square)), zero);
+}
+
 template <class V>
 static void attract(const Attraction& a, std::size_t first, std::size_t last, Real* const* force) {
-  const V zero = V(Real(0));
   over_lanes<V>(a, first, last, [&](const AttractedLanes<V>& lanes, std::size_t start) BALLPARK_INLINE_LAMBDA {
     Vector3<V> sum;
     over_bodies(a, lanes, start, [&](std::size_t j, const Vector3<V>& r, const V& square) BALLPARK_INLINE_LAMBDA {
-      // Zero without softening: the body itself, or one at the same place, whose pull has no direction.
-      sum += select(square > zero, V(a.mass[j]) / (square * square_root(square)), zero) * r;
+      sum += (V(a.mass[j]) * inverse_cube(square)) * r;
     });
     sum = (V(a.strength) * lanes.read(a.mass)) * sum;
     lanes.add(force[0], sum.x);
@@ -78,14 +85,75 @@ static void attraction_energy(const Attraction& a, std::size_t first, std::size_
   });
 }
 
+/// Calls act(slot of the first body, body to body) for each vector of woven copies.
+template <class V, class Act>
+BALLPARK_INLINE void over_copies(const Attraction& a, Act act) {
+  for (std::size_t weave = 0; weave < a.copies; weave += woven_width) {
+    for (std::size_t lane = 0; lane < woven_width; lane += lane_count<V>) act(weave * a.count + lane);
+  }
+}
+
+template <class V>
+BALLPARK_INLINE Vector3<V> load_vector(const Real* const (&columns)[3], std::size_t slot) {
+  return {load<V>(columns[0] + slot), load<V>(columns[1] + slot), load<V>(columns[2] + slot)};
+}
+
+/// A body sums what those before it push back, then what those behind it pull: in the order of ids.
+template <class V>
+static void attract_woven(const Attraction& a, Real* const* force) {
+  over_copies<V>(a, [&](std::size_t start) BALLPARK_INLINE_LAMBDA {
+    V sums[3][most_woven];
+    for (std::size_t i = 0; i < a.count; ++i) sums[0][i] = sums[1][i] = sums[2][i] = V(Real(0));
+    for (std::size_t i = 0; i < a.count; ++i) {
+      const std::size_t slot = start + i * woven_width;
+      const Vector3<V> x = load_vector<V>(a.position, slot);
+      const V mass = load<V>(a.mass + slot);
+      Vector3<V> sum = {sums[0][i], sums[1][i], sums[2][i]};
+      for (std::size_t j = i + 1; j < a.count; ++j) {
+        const std::size_t other = start + j * woven_width;
+        const Vector3<V> r = load_vector<V>(a.position, other) - x;
+        const V share = inverse_cube(dot(r, r) + V(a.softening_squared));
+        sum += (load<V>(a.mass + other) * share) * r;
+        const Vector3<V> back = (mass * share) * r;
+        sums[0][j] -= back.x;
+        sums[1][j] -= back.y;
+        sums[2][j] -= back.z;
+      }
+      sum = (V(a.strength) * mass) * sum;
+      store(force[0] + slot, load<V>(force[0] + slot) + sum.x);
+      store(force[1] + slot, load<V>(force[1] + slot) + sum.y);
+      store(force[2] + slot, load<V>(force[2] + slot) + sum.z);
+    }
+  });
+}
+
+template <class V>
+static void woven_attraction_energy(const Attraction& a, Real* energy) {
+  const V zero = V(Real(0));
+  over_copies<V>(a, [&](std::size_t start) BALLPARK_INLINE_LAMBDA {
+    for (std::size_t i = 0; i < a.count; ++i) {
+      const std::size_t slot = start + i * woven_width;
+      V sum = zero;
+      for (std::size_t j = 0; j < a.count; ++j) {
+        const std::size_t other = start + j * woven_width;
+        const Vector3<V> r = load_vector<V>(a.position, other) - load_vector<V>(a.position, slot);
+        const V square = dot(r, r) + V(a.softening_squared);
+        if (j != i) sum += select(square > zero, load<V>(a.mass + other) / square_root(square), zero);
+      }
+      store(energy + slot, load<V>(energy + slot) + V(Real(-0.5)) * (V(a.strength) * load<V>(a.mass + slot)) * sum);
+    }
+  });
+}
+
 template <class V>
 constexpr PairKernels pair_kernels() {
-  return {&attract<V>, &attraction_energy<V>};
+  return {&attract<V>, &attraction_energy<V>, &attract_woven<V>, &woven_attraction_energy<V>};
 }
 
 #ifndef BALLPARK_TARGET
 class MutualGravity : public PairEffect {
  public:
+  static constexpr bool weaves = true;
   explicit MutualGravity(const PairInput& input);
   void add_forces(const PairBodies& bodies, Workers& workers) override;
   double energy(const PairBodies& bodies, Workers& workers) override;
@@ -95,7 +163,12 @@ class MutualGravity : public PairEffect {
   static EffectDescription description();
 
  private:
-  /// Calls act(attraction of some copies, the slot it begins at, the first and the last of their bodies it is for).
+  /// Some copies, from a slot on, and the first and the last of their bodies that a task is for.
+  struct Task {
+    Attraction of;
+    std::size_t start, first, last;
+    bool woven;
+  };
   template <class Act>
   void for_tasks(const PairBodies& bodies, Workers& workers, Act act) const;
 

@@ -18,7 +18,8 @@ namespace ballpark::BALLPARK_PRECISION {
 struct PairBodies {
   std::size_t count = 0;  ///< of one copy
   std::size_t first_copy = 0, last_copy = 1;
-  std::size_t end = 0;  ///< of the slots that may be touched: those of these copies, and padding if there is some
+  std::size_t woven = 0;  ///< copies [0, woven) stand body by body, see pair_kernels.h
+  std::size_t end = 0;    ///< of the slots that may be touched: those of these copies, and padding if there is some
   const Real* mass = nullptr;
   const Real* position[3] = {};
   const Real* velocity[3] = {};  ///< null if the effect does not read it
@@ -79,12 +80,13 @@ struct PairInput {
 struct PairEffectInfo {
   EffectDescription description;
   std::unique_ptr<PairEffect> (*make)(const PairInput&) = nullptr;
+  bool weaves = false;  ///< can it go through woven copies?
 };
 
 template <class E>
 PairEffectInfo pair_effect_info() {
   return {E::description(),
-          [](const PairInput& input) -> std::unique_ptr<PairEffect> { return std::make_unique<E>(input); }};
+          [](const PairInput& input) -> std::unique_ptr<PairEffect> { return std::make_unique<E>(input); }, E::weaves};
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

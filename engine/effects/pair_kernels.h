@@ -17,12 +17,18 @@ struct Attraction {
   Real softening_squared = 0;  ///< s^2
 };
 
-/// For bodies [first, last) of each copy.
+/// Woven copies: so many at a time stand body by body, each body of all of them in one cache line.
+inline constexpr std::size_t woven_width = 64 / sizeof(Real);
+inline constexpr std::size_t most_woven = 32;  ///< bodies of a copy that may be woven
+
+/// For bodies [first, last) of each copy; or for all of woven copies.
 struct PairKernels {
   /// Adds the force on each [N].
   void (*attract)(const Attraction&, std::size_t first, std::size_t last, Real* const* force);
   /// Adds half of each body's energy in the field of the others [J].
   void (*attraction_energy)(const Attraction&, std::size_t first, std::size_t last, Real* energy);
+  void (*attract_woven)(const Attraction&, Real* const* force);
+  void (*woven_attraction_energy)(const Attraction&, Real* energy);
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -58,7 +58,7 @@ void place_pivoted(const Group& group, std::size_t row) {
 Vector3<Wide> momentum_for(const Group& group, std::size_t row, const Quaternion& orientation,
                            const Vector3<Wide>& spin) {
   const Real mass = group.kernel.constants.mass.at<Real>(row);
-  const Vector3<Wide> inertia = wide(group.inertia[group.inertia.size() == 1 ? 0 : row % group.per_copy]);
+  const Vector3<Wide> inertia = wide(group.inertia[group.inertia.size() == 1 ? 0 : group.copies.index_of(row)]);
   Vector3<Wide> arm;
   if (group.pivots()) arm = widened(vector_at<Real>(group.kernel.constants.arm, row));
   if (!group.turns()) return momentum_in_body(inertia, Wide(mass), arm, spin);
@@ -97,7 +97,7 @@ World::Place World::place_of(std::size_t id) const {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group& group = groups_[g];
     const std::size_t index = in_copy - group.id_offset;  // wraps for groups behind it
-    if (in_copy >= group.id_offset && index < group.per_copy) return {g, copy * group.per_copy + index};
+    if (in_copy >= group.id_offset && index < group.copies.per_copy) return {g, group.copies.row_of(copy, index)};
   }
   throw std::out_of_range("no body has this id");
 }
@@ -123,7 +123,7 @@ std::size_t World::row_of(std::size_t id) const {
 }
 
 std::size_t World::id_of(const Group& group, std::size_t row) const {
-  return row / group.per_copy * per_copy_ + group.id_offset + row % group.per_copy;
+  return group.copies.copy_of(row) * per_copy_ + group.id_offset + group.copies.index_of(row);
 }
 
 BodyState World::body(std::size_t id) const {

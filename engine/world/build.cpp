@@ -76,6 +76,7 @@ void Builder::build() {
   for (std::size_t g = 0; g < scene_.bodies.size(); ++g) choose_motion(g);
   choose_path();
   choose_method();
+  weave();
   place_groups();
   add_state_columns();
   for (Group& group : world_.groups_) {
@@ -171,12 +172,12 @@ void Builder::choose_motion(std::size_t g) {
   Group group;
   group.name = body.name;
   group.scene_index = g;
-  group.per_copy = body_count(body);
+  group.copies.per_copy = body_count(body);
   group.id_offset = world_.per_copy_;
-  group.live = group.per_copy * world_.copies_;
-  world_.per_copy_ += group.per_copy;
+  group.live = group.copies.per_copy * world_.copies_;
+  world_.per_copy_ += group.copies.per_copy;
   const std::string user = spin_user(scene_, body, world_.users_);
-  const bool kicked = is_kicked_off_centre(scene_, group.id_offset, group.per_copy);
+  const bool kicked = is_kicked_off_centre(scene_, group.id_offset, group.copies.per_copy);
   const bool spins = !body.angular_velocity.empty() || kicked ||
                      (body.generate && body.generate->angular_velocity_spread != Vector3d::Zero());
   const bool turns = !body.orientation.empty() || (body.generate && body.generate->random_orientation);
@@ -333,6 +334,20 @@ void Builder::choose_path() {
     world_.fused_ = true;
     world_.path_reason_ = "every effect needs only its own body: one kernel does the whole step in registers";
   }
+}
+
+/// Few bodies that only others of their copy act on, beside what is local: lanes can run over copies.
+void Builder::weave() {
+  if (world_.fused_ || world_.groups_.size() != 1 || !scene_.contact.kind.empty()) return;
+  if (world_.row_->family == Family::implicit_runge_kutta) return;
+  for (const Effect& effect : scene_.effects) {
+    const int pair = pair_effect_index(effect.kind);
+    if (pair >= 0 && !pair_effects()[static_cast<std::size_t>(pair)].weaves) return;
+  }
+  CopyRows& copies = world_.groups_[0].copies;
+  if (!pair_effect_of(scene_) || copies.per_copy > most_woven) return;
+  copies.woven = world_.copies_ / CopyRows::width * CopyRows::width;
+  if (copies.woven > 0) world_.path_reason_ += "; " + std::to_string(copies.woven) + " copies side by side in lanes";
 }
 
 World::World(const Scene& scene, const Options& options, std::vector<UserEffect> user_effects)

@@ -58,6 +58,7 @@ class Builder {
   void add_walls(const std::vector<std::string>& materials);
   void add_slots(const std::vector<std::string>& materials);
   void choose_path();
+  void weave();
 
   /// A constant of the group: a value if it is equal for all bodies, else a column.
   template <int n, class F>

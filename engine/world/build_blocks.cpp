@@ -47,7 +47,7 @@ void Builder::add_parts() {
     part.alone = true;
     part.copies = {first, std::min(first + length, world_.copies_)};
     for (std::size_t g = 0; g < world_.groups_.size(); ++g) {
-      const std::size_t bodies = world_.groups_[g].per_copy;
+      const std::size_t bodies = world_.groups_[g].copies.per_copy;
       part.add(g, part.copies.first * bodies, part.copies.last * bodies);
     }
   }

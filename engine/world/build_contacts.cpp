@@ -178,9 +178,9 @@ void Builder::add_slots(const std::vector<std::string>& materials) {
   std::vector<std::size_t> touching;
   for (std::size_t g = 0; g < world_.groups_.size(); ++g) {
     const Group& group = world_.groups_[g];
-    if (!scene_.bodies[group.scene_index].shape.empty() && group.per_copy > 0) touching.push_back(g);
+    if (!scene_.bodies[group.scene_index].shape.empty() && group.copies.per_copy > 0) touching.push_back(g);
   }
-  for (const std::size_t g : touching) bodies.per_copy += world_.groups_[g].per_copy;
+  for (const std::size_t g : touching) bodies.per_copy += world_.groups_[g].copies.per_copy;
   bodies.resize(bodies.per_copy * world_.copies_, world_.impulse_ != nullptr);
   contacts.ranges = slot_ranges(world_.groups_, touching, world_.copies_);
   for (const SlotRange& range : contacts.ranges) {
@@ -192,7 +192,7 @@ void Builder::add_slots(const std::vector<std::string>& materials) {
     const auto material =
         static_cast<std::uint16_t>(std::find(materials.begin(), materials.end(), body.material) - materials.begin());
     for (std::size_t k = 0; k < range.count; ++k) {
-      const std::size_t i = (range.first_row + k) % group.per_copy, slot = range.first_slot + k;
+      const std::size_t i = (range.first_row + k) % group.copies.per_copy, slot = range.first_slot + k;
       const double radius = row_or(body.radius, i, 0.0), moment = inertia_of(body, i).x();
       bodies.radius[slot] = static_cast<Real>(radius);
       bodies.inverse_mass[slot] = static_cast<Real>(1 / mass_of(body, i));

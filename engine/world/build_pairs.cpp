@@ -34,9 +34,9 @@ void Builder::add_pair_system(const Effect& effect) {
   std::size_t count = 0;
   for (std::size_t g = 0; g < world_.groups_.size(); ++g) {
     const Group& group = world_.groups_[g];
-    if (group.per_copy == 0 || !acts_on(effect, scene_.bodies[group.scene_index])) continue;
+    if (group.copies.per_copy == 0 || !acts_on(effect, scene_.bodies[group.scene_index])) continue;
     chosen.push_back(g);
-    count += group.per_copy;
+    count += group.copies.per_copy;
   }
   if (count == 0) return;
   const PairEffectInfo& info = pair_effects()[static_cast<std::size_t>(pair_effect_index(effect.kind))];

@@ -44,7 +44,7 @@ std::vector<Effect> sorted_effects(const Scene& scene, const BodyGroup& body) {
 template <int n, class F>
 void Builder::constant(Group& group, const char* name, const char* unit, PerBody (&out)[n], const char* why,
                        F values_of_body) {
-  if (group.per_copy == 0) return;
+  if (group.copies.per_copy == 0) return;
   const std::array<Wide, n> first = values_of_body(std::size_t{0});
   bool equal = true;
   for (std::size_t i = 1; i < group.live && equal; ++i) equal = values_of_body(i) == first;
@@ -65,13 +65,13 @@ void Builder::constant(Group& group, const char* name, const char* unit, PerBody
 void Builder::fill_constants(Group& group) {
   const BodyGroup& body = scene_.bodies[group.scene_index];
   BodyConstants& k = group.kernel.constants;
-  const auto index = [&](std::size_t row) { return row % group.per_copy; };
+  const auto index = [&](std::size_t row) { return group.copies.index_of(row); };
   const auto remember = [&](const char* name, const std::vector<double>& rows, double value) {
     if (!rows.empty() && std::all_of(rows.begin(), rows.end(), [&](double v) { return v == rows[0]; })) {
       group.constants.emplace_back(name, value);
     }
   };
-  if (group.per_copy == 0) return;
+  if (group.copies.per_copy == 0) return;
   PerBody mass[1];
   constant(group, "mass", "kg", mass, "differs between bodies",
            [&](std::size_t row) { return std::array<Wide, 1>{static_cast<Wide>(mass_of(body, index(row)))}; });
@@ -84,7 +84,7 @@ void Builder::fill_constants(Group& group) {
     group.inertia.push_back(inertia_of(body, i));
   if (body.inertia.empty() && (body.mass.size() > 1 || body.radius.size() > 1 || body.density.size() > 1)) {
     group.inertia.clear();
-    for (std::size_t i = 0; i < group.per_copy; ++i) group.inertia.push_back(inertia_of(body, i));
+    for (std::size_t i = 0; i < group.copies.per_copy; ++i) group.inertia.push_back(inertia_of(body, i));
   }
   const auto inertia = [&](std::size_t row) { return wide(row_or(group.inertia, index(row), Vector3d(0, 0, 0))); };
   if (group.pivots()) {
@@ -92,8 +92,8 @@ void Builder::fill_constants(Group& group) {
     const auto points = std::get<std::vector<Vector3d>>(complete_parameters(pivot, *find_effect("pivot")).at("point"));
     const auto point = [&](std::size_t row) { return wide(row_or(points, index(row), Vector3d(0, 0, 0))); };
     const auto arm = [&](std::size_t row) {
-      const Start start =
-          start_of(scene_, group.scene_index, index(row), scene_.run.seed + row / group.per_copy, options_.perturb);
+      const Start start = start_of(scene_, group.scene_index, index(row), scene_.run.seed + group.copies.copy_of(row),
+                                   options_.perturb);
       return rotation_of(start.orientation).to_body(start.position - point(row));
     };
     const auto array = [](const Vector3<Wide>& a) { return std::array<Wide, 3>{a.x, a.y, a.z}; };
@@ -123,8 +123,8 @@ void Builder::fill_state(Group& group) {
     const std::size_t end = std::min((b + 1) * block_length, group.live);
     for (std::size_t row = b * block_length; row < end; ++row) {
       fill_row(group, row,
-               start_of(scene_, group.scene_index, row % group.per_copy, scene_.run.seed + row / group.per_copy,
-                        options_.perturb));
+               start_of(scene_, group.scene_index, group.copies.index_of(row),
+                        scene_.run.seed + group.copies.copy_of(row), options_.perturb));
     }
   });
   repeat_last_row(group);
@@ -184,7 +184,7 @@ void Builder::add_effects(Group& group) {
     const auto per_body = [&](const std::string& name, const std::vector<Vector3d>& rows) {
       PerBody out[3];
       constant(group, (effect.kind + "." + name).c_str(), "m", out, effect.kind.c_str(), [&](std::size_t row) {
-        const Vector3d v = row_or(rows, row % group.per_copy, Vector3d(0, 0, 0));
+        const Vector3d v = row_or(rows, group.copies.index_of(row), Vector3d(0, 0, 0));
         return std::array<Wide, 3>{v.x(), v.y(), v.z()};
       });
       return std::array<PerBody, 3>{out[0], out[1], out[2]};

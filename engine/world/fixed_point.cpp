@@ -74,7 +74,7 @@ FixedPoint::FixedPoint(const std::vector<Group>& groups, std::size_t copies, boo
 }
 
 std::size_t FixedPoint::unit_of(const Group& group, std::size_t row) const {
-  return coupled_ ? row / group.per_copy : group.first_row + row;
+  return coupled_ ? group.copies.copy_of(row) : group.first_row + row;
 }
 
 template <class Act>

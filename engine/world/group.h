@@ -18,12 +18,30 @@ namespace ballpark::BALLPARK_PRECISION {
 /// Bodies of a task: a fixed length, whatever the number of threads. A block of particles is 192 kB in double.
 inline constexpr std::size_t block_length = 4096;
 
-/// Bodies of one kind: rows [first_row, first_row + live), padded. Copy k of the scene has its rows behind copy k -
-/// 1's.
+/// Where a group has the bodies of each copy of the scene. Copy after copy; or woven, so that lanes can run over
+/// copies: `width` copies at a time stand body by body, each body of all of them in one cache line.
+struct CopyRows {
+  static constexpr std::size_t width = woven_width;
+
+  std::size_t per_copy = 0;  ///< bodies in one copy
+  std::size_t woven = 0;     ///< copies [0, woven) are, a multiple of the width; those behind them are not
+
+  std::size_t row_of(std::size_t copy, std::size_t index) const {
+    if (copy >= woven) return copy * per_copy + index;
+    return (copy / width * per_copy + index) * width + copy % width;
+  }
+  std::size_t copy_of(std::size_t row) const {
+    if (row >= woven * per_copy) return row / per_copy;
+    return row / (width * per_copy) * width + row % width;
+  }
+  std::size_t index_of(std::size_t row) const { return (row >= woven * per_copy ? row : row / width) % per_copy; }
+};
+
+/// Bodies of one kind: rows [first_row, first_row + live), padded.
 struct Group {
   std::string name;
   std::size_t scene_index = 0;
-  std::size_t per_copy = 0;   ///< bodies in one copy
+  CopyRows copies;
   std::size_t id_offset = 0;  ///< of its first body in a copy
   std::size_t first_row = 0, live = 0;
   MotionKind motion = MotionKind::point;                  ///< how it is stepped

@@ -9,17 +9,18 @@ namespace ballpark::BALLPARK_PRECISION {
 PairSystem::PairSystem(const PairEffectInfo& effect_info, const std::vector<Group>& groups,
                        std::vector<std::size_t> chosen, std::size_t copies)
     : info(&effect_info), copies_(copies), alone_(chosen.size() == 1) {
-  for (const std::size_t g : chosen) count_ += groups[g].per_copy;
+  for (const std::size_t g : chosen) count_ += groups[g].copies.per_copy;
   ranges = slot_ranges(groups, std::move(chosen), copies);
   const auto& reads = info->description.reads;
   reads_velocity_ = std::find(reads.begin(), reads.end(), "velocity") != reads.end();
   const std::size_t slots = padded(count_ * copies);
   mass_ = AlignedArray<Real>(slots);
-  for (const SlotRange& range : ranges) {
-    const PerBody& mass = groups[range.group].kernel.constants.mass;
+  for (const SlotRange& range : ranges) {  // rows are the slots of woven copies: it is all the same
+    const Group& group = groups[range.group];
     for (std::size_t i = 0; i < range.count; ++i) {
-      mass_.data()[range.first_slot + i] = mass.at<Real>(range.first_row + i);
+      mass_.data()[range.first_slot + i] = group.kernel.constants.mass.at<Real>(range.first_row + i);
     }
+    if (alone_) woven_ = group.copies.woven;
   }
   for (int c = 0; !alone_ && c < 3; ++c) {
     position_[c] = AlignedArray<Real>(slots);
@@ -43,7 +44,8 @@ void PairSystem::for_ranges(const CopyRange& range, Workers& workers, Act act) c
 /// Bodies of several groups are gathered.
 PairBodies PairSystem::look(const std::vector<Group>& groups, StateColumns StepGroup::*columns, const CopyRange& range,
                             Workers& workers) {
-  PairBodies bodies{.count = count_, .first_copy = range.first, .last_copy = range.last, .end = range.last * count_};
+  PairBodies bodies{
+      .count = count_, .first_copy = range.first, .last_copy = range.last, .woven = woven_, .end = range.last * count_};
   if (range.last == copies_) bodies.end = padded(bodies.end);
   bodies.mass = mass_.data();
   const auto gather = [](Real* const(&from)[3], const SlotRange& slots, const AlignedArray<Real>(&to)[3]) {

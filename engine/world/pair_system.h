@@ -46,6 +46,7 @@ class PairSystem {
 
   std::size_t count_ = 0, copies_ = 1;  ///< bodies of a copy
   bool alone_;                          ///< one group has them all: its rows are the slots
+  std::size_t woven_ = 0;               ///< copies
   bool reads_velocity_;
   AlignedArray<Real> mass_, position_[3], velocity_[3], force_[3];  ///< by slot; only masses if `alone_`
 };

@@ -15,13 +15,13 @@ std::vector<SlotRange> slot_ranges(const std::vector<Group>& groups, std::vector
   std::sort(chosen.begin(), chosen.end(),
             [&](std::size_t a, std::size_t b) { return groups[a].scene_index < groups[b].scene_index; });
   if (stride == 0) {
-    for (const std::size_t g : chosen) stride += groups[g].per_copy;
+    for (const std::size_t g : chosen) stride += groups[g].copies.per_copy;
   }
   std::vector<SlotRange> ranges;
   for (std::size_t copy = 0; copy < copies; ++copy) {
     std::size_t slot = copy * stride;
     for (const std::size_t g : chosen) {
-      const std::size_t bodies = groups[g].per_copy;
+      const std::size_t bodies = groups[g].copies.per_copy;
       for (std::size_t first = 0; first < bodies; first += longest) {
         ranges.push_back({g, copy * bodies + first, slot + first, std::min(longest, bodies - first)});
       }

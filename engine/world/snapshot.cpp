@@ -22,6 +22,15 @@ std::uint64_t hash_rows(const Real* values, std::size_t count, std::uint64_t see
   }
 }
 
+/// One copy's rows of a column that begins with the group's.
+std::uint64_t hash_copy(const Group& group, const Real* column, std::size_t copy, std::uint64_t seed) {
+  const std::size_t bodies = group.copies.per_copy;
+  if (copy >= group.copies.woven) return hash_rows(column + copy * bodies, bodies, seed);
+  Real values[most_woven] = {};
+  for (std::size_t i = 0; i < bodies; ++i) values[i] = column[group.copies.row_of(copy, i)];
+  return hash_rows(values, bodies, seed);
+}
+
 /// Does the next step need it?
 bool lasts(const Column& column) {
   return column.info.role == Role::state || column.info.role == Role::kept;
@@ -49,7 +58,7 @@ std::uint64_t World::state_hash() const {
         if (column.info.role != Role::state || !column.covers(group->first_row) || group->live == 0) continue;
         if (!is_read(*group, column.info.name)) continue;
         for (int c = 0; c < column.info.components; ++c) {
-          sum = hash_rows(column.at(c, group->first_row + copy * group->per_copy), group->per_copy, sum);
+          sum = hash_copy(*group, column.at(c, group->first_row), copy, sum);
         }
       }
     }
@@ -63,7 +72,7 @@ std::uint64_t World::structure() const {
   for (const Group& group : groups_) {
     sum = combine(sum, hash(group.name.data(), group.name.size()));
     for (const std::size_t n :
-         {group.live, group.per_copy, group.scene_index, static_cast<std::size_t>(group.carried)}) {
+         {group.live, group.copies.per_copy, group.scene_index, static_cast<std::size_t>(group.carried)}) {
       sum = combine(sum, n);
     }
   }

@@ -43,6 +43,20 @@ Scene random_mix() {
   return scene;
 }
 
+/// Bodies of different masses that attract each other; two of them begin at one place.
+Scene attracted(std::size_t bodies, double softening) {
+  BodyGroup group{.name = "stars", .mass = {}};
+  for (std::size_t i = 0; i < bodies; ++i) {
+    const double t = static_cast<double>(i == 4 ? 3 : i);
+    group.mass.push_back(1 + 0.3 * static_cast<double>(i));
+    group.position.push_back({std::sqrt(2 + t), t * (t - 2), 0.1 * t});
+    group.velocity.push_back({0.1 * t, 0.2, -0.05 * t});
+  }
+  Scene scene = scene_of({group}, {effect("gravity"), effect("linear_drag", {{"coefficient", 0.2}})});
+  scene.effects.push_back(effect("mutual_gravity", {{"strength", 1.0}, {"softening", softening}}));
+  return scene;
+}
+
 }  // namespace
 
 TEST_CASE("Copies: each keeps the bits of its solo run, in every scenario", "[bits]") {
@@ -58,6 +72,52 @@ TEST_CASE("Copies: each keeps the bits of its solo run, in every scenario", "[bi
 TEST_CASE("Copies: groups of all motions, with an impulse", "[bits]") {
   check_copies(random_mix(), {.threads = 2, .copies = 4}, 20);
   check_copies(random_mix(), {.threads = 2, .copies = 3, .perturb = 0.1}, 20);
+}
+
+TEST_CASE("Copies: woven ones, beside those that fill no vector", "[bits]") {
+  for (const Precision precision : {Precision::double_, Precision::single_}) {
+    for (const std::size_t bodies : {1u, 2u, 7u, 32u, 33u}) {
+      const Scene scene = attracted(bodies, bodies == 7 ? 0 : 0.1);
+      for (const std::string& target : scenarios::available_targets()) {
+        check_copies(scene, {.threads = 2, .target = target, .precision = precision, .copies = 19, .perturb = 1e-2},
+                     20);
+      }
+      check_copies(scene, {.threads = 1, .precision = precision, .copies = 16}, 3);
+    }
+  }
+  for (const char* integrator : {"yoshida6", "ab4", "dormand_prince5", "taylor2"}) {
+    Scene scene = attracted(5, 0.1);
+    if (integrator == std::string("taylor2") || integrator == std::string("yoshida6")) scene.effects.resize(1);
+    scene.run.integrator = integrator;
+    check_copies(scene, {.threads = 2, .copies = 21, .perturb = 1e-2}, 20);
+  }
+}
+
+TEST_CASE("Copies: what is told of woven ones, and done to them, is that of each alone", "[bits]") {
+  const Scene scene = attracted(7, 0);
+  World batch(scene, {.copies = 19, .perturb = 1e-2});
+  batch.apply_impulse(7 * 11 + 2, {1, 2, 3});
+  const ballpark::Snapshot start = batch.snapshot();
+  batch.step(20);
+  const ballpark::View<double> x = batch.view<double>("position");
+  double potential = 0;
+  for (std::size_t k = 0; k < 19; ++k) {
+    Scene own = scene;
+    own.run.seed += k;
+    World solo(own, {.perturb = 1e-2});
+    if (k == 11) solo.apply_impulse(2, {1, 2, 3});
+    solo.step(20);
+    potential += solo.totals().potential;
+    for (std::size_t id = 0; id < 7; ++id) {
+      CHECK(batch.body(7 * k + id).position == solo.body(id).position);
+      CHECK(x[0][batch.row_of(7 * k + id)] == solo.body(id).position.x());
+    }
+  }
+  CHECK(std::abs(batch.totals().potential / potential - 1) < 1e-13);
+  const std::uint64_t hash = batch.state_hash();
+  batch.restore(start);
+  batch.step(20);
+  CHECK(batch.state_hash() == hash);
 }
 
 TEST_CASE("Copies: one copy is the scene itself", "[bits]") {

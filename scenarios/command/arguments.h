@@ -12,7 +12,7 @@ struct Arguments {
   std::string name;                    ///< SCENE, NAME, or what to list
   std::vector<std::string> overrides;  ///< key=value
   std::optional<std::string> threads, precision, target, copies, perturb, path;
-  std::optional<std::string> state, every, out, columns, out_precision;
+  std::optional<std::string> state, figure, every, out, columns, out_precision;
   std::optional<std::string> steps, seconds;
   std::optional<std::string> integrators, axis_steps, tolerances, precisions, axis_contacts,
       rotations;  ///< axes of `cost`

@@ -34,6 +34,7 @@ constexpr Option scene_options[] = {
 };
 constexpr Option run_options[] = {
     {"--state", "FILE", "write the state at the end as CSV", &Arguments::state},
+    {"--figure", "FILE", "energy, momenta, contacts and speed over time, as .svg", &Arguments::figure},
     {"--every", "S", "with --out: a frame every S seconds of simulated time", &Arguments::every},
     {"--out", "FILE", "write the frames: .npz, .csv, .xyz, or .pvd with .vtp", &Arguments::out},
     {"--columns", "LIST", "of position, velocity, orientation, angular_velocity, radius (default: what bodies carry)",

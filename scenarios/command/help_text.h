@@ -46,6 +46,7 @@ inline constexpr const char* run =
     "  ballpark run projectile\n"
     "  ballpark run my.toml --set run.integrator=euler --set run.step=1e-3\n"
     "  ballpark run pendulum --every 0.01 --out pendulum.npz --state end.csv\n"
+    "  ballpark run break --figure break.svg\n"
     "\n"
     "A key of --set is a path in the scene file; a table is addressed by its name,\n"
     "else its kind, else its index: --set bodies.ball.mass=0.2,\n"
@@ -61,11 +62,12 @@ inline constexpr const char* run =
     "  .pvd, .vtp  ParaView: a file NAME_0000.vtp each frame, NAME.pvd to open\n"
     "What OVITO and ParaView draw has radii too; .vtp is in single precision unless\n"
     "--out-precision says otherwise. Another thread writes; the summary says what\n"
-    "that took. --state has a row per body, 17 digits.\n"
+    "that took. --state has a row per body, 17 digits. --figure has 301 moments, at\n"
+    "most one a step; of an overlap, the deepest so far.\n"
     "\n"
     "Paths are relative to the current folder. .vtp appear frame by frame, the rest\n"
-    "whole at the end. After Ctrl-C or kill series hold the frames so far, and\n"
-    "--state is not written.\n";
+    "whole at the end. After Ctrl-C or kill series and --figure hold what there was\n"
+    "so far, and --state is not written.\n";
 
 inline constexpr const char* explain =
     "Example:\n"

@@ -75,16 +75,22 @@ RunFiles::RunFiles(scenes::SceneFile& scene_file, const Arguments& arguments) : 
   std::vector<std::string> paths;
   for (const scenes::OutputRequest& output : scene_file.outputs) paths.push_back(frame_file_name(output.file));
   if (arguments.state) paths.push_back(*arguments.state);
+  if (arguments.figure) paths.push_back(*arguments.figure);
   if (arguments.json && !arguments.json->empty()) paths.push_back(*arguments.json);
   refuse_shared(paths);
   refuse_inputs(paths, scene_file);
   for (const scenes::OutputRequest& output : scene_file.outputs) series_.emplace_back(output, scene_);
-  if (!arguments.state) return;
-  state_.emplace(*arguments.state);
-  scenes::OutputRequest end;
-  end.at = {scene_.run.duration};
-  end.file = *arguments.state;
-  scene_file.outputs.push_back(end);
+  if (arguments.state) {
+    state_.emplace(*arguments.state);
+    scenes::OutputRequest end;
+    end.at = {scene_.run.duration};
+    end.file = *arguments.state;
+    scene_file.outputs.push_back(end);
+  }
+  if (arguments.figure) {
+    figure_.emplace(*arguments.figure, scene_);
+    scene_file.outputs.push_back(figure_->request());
+  }
 }
 
 std::vector<scenes::FrameWriter> RunFiles::writers() {
@@ -105,6 +111,9 @@ std::vector<scenes::FrameWriter> RunFiles::writers() {
       }
     });
   }
+  if (figure_) {
+    all.push_back([this](const World& world) { figure_->add(world); });
+  }
   return all;
 }
 
@@ -119,6 +128,7 @@ bool RunFiles::finish() {
     if (const auto news = series.news()) failures_.push_back(*news);
   }
   if (state_) finish_state();
+  if (figure_) finish_figure();
   return all && failures_.empty();
 }
 
@@ -130,6 +140,15 @@ void RunFiles::finish_state() {
     if (!state_failure_.empty()) throw WriteError(state_failure_);
     state_->commit();
     written_.push_back(state_->path());
+  } catch (const WriteError& error) {
+    failures_.push_back(error.what());
+  }
+}
+
+void RunFiles::finish_figure() {
+  try {
+    figure_->write();
+    written_.push_back(figure_->path());
   } catch (const WriteError& error) {
     failures_.push_back(error.what());
   }

@@ -1,4 +1,4 @@
-// The files that a run writes: the scene's [[output]] series, --every/--out, and --state.
+// The files that a run writes: the scene's [[output]] series, --every/--out, --state and --figure.
 #pragma once
 
 #include <deque>
@@ -8,6 +8,7 @@
 
 #include "ballpark/scenes.h"
 #include "scenarios/command/arguments.h"
+#include "scenarios/command/figure_file.h"
 #include "scenarios/command/output_file.h"
 #include "scenarios/command/series.h"
 
@@ -30,12 +31,14 @@ class RunFiles {
 
  private:
   void finish_state();
+  void finish_figure();
 
   const Scene& scene_;
   std::deque<Series> series_;
   std::optional<OutputFile> state_;
   std::string state_failure_;
   bool state_reached_ = false;
+  std::optional<FigureFile> figure_;
   std::vector<std::string> failures_, written_;
 };
 

@@ -4,17 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "scenarios/view/touching.h"
 
 namespace ballpark::view {
 namespace {
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::string pace_label(const RunSettings& run) {
   return run.tolerance > 0 ? fmt::format("{}, tolerance {:.6g}", run.integrator, run.tolerance)
@@ -44,7 +39,7 @@ void repeat(std::vector<T>& column, std::size_t row_length) {
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Options& options, Columns columns, std::size_t frames, Limits limits)
-    : scene_(scene), copies_(options.copies), columns_(columns), frames_(frames), limits_(limits) {
+    : scene_(scene), copies_(options.copies), columns_(columns), frames_(frames), limits_(limits), history_(scene) {
   recording_.scenario = scene.name;
   recording_.label = pace_label(scene.run);
   recording_.doc = scene.doc;
@@ -68,12 +63,6 @@ void Recorder::begin(const World& world) {
   columns_.orientation = columns_.orientation && any_turns;
   held_.resize(recording_.shown);
   recording_.position.reserve(3 * recording_.shown * frames_);
-  recording_.series = {
-      {"energy", "J", {}}, {"kinetic energy", "J", {}}, {"momentum", "kg m/s", {}}, {"ns per body-step", "ns", {}}};
-  if (!scene_.contact.kind.empty()) {
-    recording_.series.push_back({"penetration", "m", {}});
-    recording_.series.push_back({"contacts", "", {}});
-  }
   if (recording_.shown == 0) return;
   const Vector3d first = world.body(shown_.ids.front()).position;
   if (first.allFinite()) recording_.origin = first;
@@ -104,40 +93,20 @@ void Recorder::add_body(const BodyState& body, std::size_t index) {
   if (columns_.energy) recording_.energy.push_back(kinetic_energy(body, shown_.inertias[index]));
 }
 
-void Recorder::add_series(const World& world, double seconds_since) {
-  const Totals totals = world.totals();
-  const Counters now_counted = world.counters();
-  const double steps = static_cast<double>(now_counted.steps - before_.steps);
-  const double body_steps = steps * static_cast<double>(recording_.bodies);
-  const double substeps = steps * std::max(1, scene_.contact.substeps);
-  const double loaded = static_cast<double>(now_counted.contacts - before_.contacts);
-  std::vector<double> values{totals.energy(),
-                             totals.kinetic,
-                             totals.momentum.norm(),
-                             body_steps > 0 ? 1e9 * seconds_since / body_steps : 0,
-                             now_counted.max_penetration,
-                             substeps > 0 ? loaded / substeps : 0};
-  for (std::size_t i = 0; i < recording_.series.size(); ++i) recording_.series[i].values.push_back(values[i]);
-  before_ = now_counted;
-}
-
 void Recorder::add(const World& world) {
-  const double entered = now();
+  history_.add(world);
   if (frames() == 0) begin(world);
   for (std::size_t i = 0; i < shown_.ids.size(); ++i) add_body(world.body(shown_.ids[i]), i);
   if (columns_.contacts) {
     const std::vector<std::uint8_t> counts = touching(scene_, world, copies_);
     for (const std::size_t id : shown_.ids) recording_.contacts.push_back(counts[id]);
   }
-  add_series(world, entered - left_);
   recording_.times.push_back(world.time());
-  left_ = now();
+  history_.go_on();
 }
 
 Recording Recorder::take() {
-  for (Series& series : recording_.series) {  // no step came before the first frame
-    if (series.name == "ns per body-step" && series.values.size() > 1) series.values[0] = series.values[1];
-  }
+  recording_.series = history_.take();
   if (held_count_ > 0) {
     recording_.notes.push_back(
         fmt::format("{} of the shown bodies are no longer finite: they stay where they last were", held_count_));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ballpark/world.h"
+#include "scenarios/view/history.h"
 #include "scenarios/view/recording.h"
 #include "scenarios/view/shown.h"
 
@@ -34,7 +35,6 @@ class Recorder {
  private:
   void begin(const World& world);
   void add_body(const BodyState& body, std::size_t index);
-  void add_series(const World& world, double seconds_since);
   double bytes_per_body() const;
 
   const Scene& scene_;
@@ -44,8 +44,7 @@ class Recorder {
   Limits limits_;
   ShownBodies shown_;
   Recording recording_;
-  Counters before_;
-  double left_ = 0;         ///< when the last frame was done [s of a clock]
+  History history_;
   std::vector<bool> held_;  ///< bodies that are no longer finite
   std::size_t held_count_ = 0;
 };

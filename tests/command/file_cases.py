@@ -7,6 +7,7 @@ import signal
 import subprocess
 import time
 import unittest
+import xml.etree.ElementTree as xml
 import zipfile
 
 from command_test import BALL, PROGRAM, CommandTest
@@ -49,6 +50,22 @@ class Files(CommandTest):
         self.assertEqual(len(self.rows("ends.csv")), 4)
         self.write("ball.toml", BALL + '[[output]]\nevery = 0.5\nfile = "half.txt"\n')
         self.refused("run", self.scene, says=[".npz", ".csv"])
+
+    def test_a_figure_over_time(self):
+        plain = self.json("run", self.scene)["state_hash"]
+        self.assertEqual(self.json("run", self.scene, "--figure", "ball.svg")["state_hash"], plain)
+        text = self.call("run", self.scene, "--figure", "ball.svg").stdout
+        self.assertTrue(text.endswith("\n  wrote ball.svg\n"), text)
+        figure = xml.parse(self.folder / "ball.svg").getroot()
+        words = [element.text for element in figure.iter("{http://www.w3.org/2000/svg}text")]
+        for title in ("energy [J]", "momentum [kg m/s]", "angular momentum [kg m^2/s]", "time per body-step [ns]", "t [s]",
+                      "a ball in free fall"):
+            self.assertTrue(any(word.startswith(title) for word in words), title)
+        lines = list(figure.iter("{http://www.w3.org/2000/svg}polyline"))
+        self.assertEqual(len(lines), 3 + 1 + 2 + 1)
+        self.assertEqual({len(line.get("points").split()) for line in lines}, {17})  # one a step
+        self.refused("run", self.scene, "--figure", "ball.png", says=["--figure", ".svg"])
+        self.refused("run", self.scene, "--figure", "a.svg", "--state", "a.svg", says="twice")
 
     def test_bad_destinations_are_refused_before_the_run(self):
         self.refused("run", self.scene, "--every", "1", says="--out")

@@ -198,7 +198,7 @@ class Interruptions(CommandTest):
         """A run that does not end and has frames in all these files."""
         outputs = "".join(f'[[output]]\nevery = 1e5\nfile = "{name}"\n' for name in names)
         scene = self.write("long.toml", BALL.replace("duration = 1.0", "duration = 1e9") + outputs)
-        process = subprocess.Popen([PROGRAM, "run", scene, "--json"], cwd=self.folder, stdout=subprocess.PIPE,
+        process = subprocess.Popen([PROGRAM, "run", scene, "--json", "--figure", "a.svg"], cwd=self.folder, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.stderr.close)
         time.sleep(2)
@@ -222,6 +222,7 @@ class Interruptions(CommandTest):
                 self.assertIsNone(archive.testzip())
             self.assertEqual(len(self.rows("a.csv")), 2 * count)
             self.assertEqual(len((self.folder / "a.xyz").read_text().splitlines()), 4 * count)
+            self.assertTrue((self.folder / "a.svg").read_text().endswith("</svg>\n"))
             self.assertEqual(self.listed(), [f"a_{frame:04}.vtp" for frame in range(count)])
             self.assertFalse([name for name in os.listdir(self.folder) if "partial" in name])
 

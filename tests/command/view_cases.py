@@ -106,7 +106,8 @@ class View(CommandTest):
         self.assertTrue(run["groups"][0]["turns"])
         self.assertEqual(run["groups"][0]["radius"], 0.5)
         self.assertEqual([series["name"] for series in run["series"]],
-                         ["energy", "kinetic energy", "momentum", "ns per body-step", "penetration", "contacts"])
+                         ["energy", "kinetic energy", "potential energy", "momentum", "angular momentum",
+                          "deepest penetration so far", "contacts", "time per body-step"])
         self.assertEqual(len(data), 5 * 3 * (6 + 6 + 1))
         self.call("view", scene, "--columns", "contacts")
         (run,), (data,) = self.page("spinning.html")

@@ -48,6 +48,7 @@ struct Panel {
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   bool any() const { return low <= high; }
+  double range() const { return high - low; }
   double size() const { return std::max(std::abs(low), std::abs(high)); }
 };
 
@@ -78,10 +79,12 @@ std::vector<Panel> panels_of(const std::vector<Series>& series) {
   for (std::size_t first = 0, last = 0; first < series.size(); first = last) {
     while (last < series.size() && last - first < most_curves && series[last].unit == series[first].unit) ++last;
     const std::span<const Series> curves = std::span(series).subspan(first, last - first);
-    const Extent extent = extent_of(curves);
-    const bool still = extent.high > extent.low && extent.high - extent.low < 2e-3 * extent.size();
+    const Extent extent = extent_of(curves.first(1));
+    const bool varies = extent.high > extent.low;
+    const bool still = varies && extent.range() < 2e-3 * extent.size();
+    const bool flat = varies && extent.range() < 0.05 * extent_of(curves).range();
     if (curves.size() > 1 || !still) panels.push_back({in_unit(curves[0].name, curves[0].unit), curves});
-    if (curves.size() > 1 || still) panels.push_back(change_panel(curves[0]));
+    if (still || flat) panels.push_back(change_panel(curves[0]));
   }
   return panels;
 }

@@ -16,8 +16,8 @@ struct Figure {
 };
 
 /// Curves are told apart by colour and dash, on light and on dark ground. Where values barely change, a panel shows how
-/// far they are from the first one; of several curves on one scale, the first has such a panel of its own. What is not
-/// finite is left out.
+/// far they are from the first one; of several curves on one scale, the first has such a panel besides if it is flat
+/// there. What is not finite is left out.
 std::string svg(const Figure& figure);
 
 }  // namespace ballpark::view

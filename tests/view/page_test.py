@@ -331,6 +331,27 @@ class Surroundings(PageTest):
         for words in ("a <b>bold</b> run", "every 10th of 40 bodies is shown", "</script>"):
             self.assertIn(words, text)
 
+    def test_a_recorded_file_has_no_plots(self):
+        """Neither sums of the run nor, without velocities, speeds: the motion is shown all the same."""
+        places = [[(t, 0, 0), (0, t, 0)] for t in (0.0, 0.5, 1.0)]
+        self.open([page_data.run([0.0, 1.0, 2.0], places, [0.1, 0.2], label="a.npz")], "t=1")
+        self.assertGreater(covered(self.canvas()), 0.002)
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('.plot').length"), 0)
+        self.assertEqual(self.browser.evaluate("ballpark.offer.colours"), ["plain"])
+        self.assertIn("a.npz, 2 bodies", self.browser.evaluate("document.getElementById('page').innerText"))
+        self.assert_quiet()
+
+    def test_all_series_of_a_run_are_plotted(self):
+        names = ["energy", "kinetic energy", "potential energy", "momentum", "angular momentum",
+                 "deepest penetration so far", "contacts", "time per body-step"]
+        header, data = page_data.orbits()
+        series = [{"name": name, "unit": "", "values": [k + t for t in header["times"]]} for k, name in enumerate(names)]
+        self.open([({**header, "series": series}, data)], "t=1")
+        self.assertEqual(self.browser.evaluate("[...document.querySelectorAll('.plot .name')].map((e) => e.innerText)"),
+                         names)
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('.plot .curve').length"), len(names))
+        self.assert_quiet()
+
     def test_keys_are_listed(self):
         self.open([page_data.orbits()])
         self.browser.key("?", "?")

@@ -10,8 +10,8 @@
 namespace ballpark::view {
 namespace {
 
-/// Viridis (Smith and van der Walt 2015) at eighths: told apart by people of all kinds of colour vision, and in grey.
-constexpr std::array<Colour, 9> viridis{{{68, 1, 84},
+/// Viridis at eighths.
+constexpr std::array<Colour, 9> eighths{{{68, 1, 84},
                                          {71, 44, 122},
                                          {59, 81, 139},
                                          {44, 113, 142},
@@ -29,18 +29,6 @@ constexpr std::array<Colour, 7> palette{{{0x00, 0x72, 0xb2},
                                          {0xcc, 0x79, 0xa7},
                                          {0xf0, 0xe4, 0x42}}};
 
-/// `share` in 0..1.
-Colour on_map(double share) {
-  const double place = std::clamp(share, 0.0, 1.0) * (viridis.size() - 1);
-  const auto below = std::min<std::size_t>(static_cast<std::size_t>(place), viridis.size() - 2);
-  const double part = place - static_cast<double>(below);
-  const auto mixed = [&](std::uint8_t a, std::uint8_t b) {
-    return static_cast<std::uint8_t>(std::lround(a + part * (b - a)));
-  };
-  const Colour &a = viridis[below], &b = viridis[below + 1];
-  return {mixed(a.red, b.red), mixed(a.green, b.green), mixed(a.blue, b.blue)};
-}
-
 /// Of the bodies of one frame.
 double fastest_of(const Recording& recording, std::size_t frame) {
   if (recording.speed.empty()) return 0;
@@ -48,7 +36,27 @@ double fastest_of(const Recording& recording, std::size_t frame) {
   return *std::max_element(first, first + recording.shown);
 }
 
+Key key_of(const Recording& recording, ColourBy colour, double fastest) {
+  Key key;
+  if (colour == ColourBy::speed) key = {"speed [m/s]", fastest, {}};
+  for (std::size_t g = 0; g < recording.groups.size() && colour == ColourBy::group; ++g) {
+    key.entries.push_back({palette[g % palette.size()], recording.groups[g].name});
+  }
+  return key;
+}
+
 }  // namespace
+
+Colour viridis(double share) {
+  const double place = std::clamp(share, 0.0, 1.0) * (eighths.size() - 1);
+  const auto below = std::min<std::size_t>(static_cast<std::size_t>(place), eighths.size() - 2);
+  const double part = place - static_cast<double>(below);
+  const auto mixed = [&](std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>(std::lround(a + part * (b - a)));
+  };
+  const Colour &a = eighths[below], &b = eighths[below + 1];
+  return {mixed(a.red, b.red), mixed(a.green, b.green), mixed(a.blue, b.blue)};
+}
 
 std::string hex(Colour colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
@@ -56,9 +64,11 @@ std::string hex(Colour colour) {
 
 Drawing drawing_of(const Recording& recording, std::size_t frame, ColourBy colour) {
   Drawing drawing;
+  drawing.time = recording.times[frame];
   const Box box = box_of(recording);
   const double point = point_radius(recording, box);
   const double fastest = colour == ColourBy::speed ? fastest_of(recording, frame) : 0;
+  drawing.key = key_of(recording, colour, fastest);
   double widest = 0;
   for (std::size_t g = 0; g < recording.groups.size(); ++g) {
     const ShownGroup& group = recording.groups[g];
@@ -69,7 +79,7 @@ Drawing drawing_of(const Recording& recording, std::size_t frame, ColourBy colou
                 orientation_of(recording, frame, body)};
       if (ball.radius == 0) ball.radius = point;
       if (colour == ColourBy::group) ball.colour = palette[g % palette.size()];
-      if (colour == ColourBy::speed) ball.colour = on_map(fastest > 0 ? recording.speed[place] / fastest : 0);
+      if (colour == ColourBy::speed) ball.colour = viridis(fastest > 0 ? recording.speed[place] / fastest : 0);
       widest = std::max(widest, ball.radius);
       drawing.balls.push_back(ball);
     }

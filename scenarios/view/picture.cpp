@@ -102,8 +102,8 @@ class Raster {
       const Quaternion& q = ball.orientation;
       const Vector3d axis(q.x, q.y, q.z), turn = 2 * axis.cross(normal);
       const Vector3d p = normal - q.w * turn + axis.cross(turn);  // in the body's axes
-      if (std::abs(p.x()) < 0.09 && p.y() > 0) return {34, 34, 34};
-      if (std::abs(p.z()) < 0.22) return {245, 245, 245};
+      if (std::abs(p.x()) < mark_half_width && p.y() > 0) return {34, 34, 34};
+      if (std::abs(p.z()) < band_half_width) return {245, 245, 245};
     }
     return {static_cast<float>(c.red), static_cast<float>(c.green), static_cast<float>(c.blue)};
   }

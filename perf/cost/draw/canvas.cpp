@@ -75,8 +75,8 @@ void Canvas::line(Spot from, Spot to, const std::string& attributes) {
                        coordinate(to.x), coordinate(to.y), attributes);
 }
 
-void Canvas::polyline(const std::vector<Spot>& spots, const std::string& attributes) {
-  text_ += "<polyline points=\"";
+void Canvas::points(const char* element, const std::vector<Spot>& spots, const std::string& attributes) {
+  text_ += fmt::format("<{} points=\"", element);
   for (const Spot& spot : spots) {
     if (&spot != &spots.front()) text_ += ' ';
     text_ += coordinate(spot.x) + "," + coordinate(spot.y);

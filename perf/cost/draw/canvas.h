@@ -33,7 +33,10 @@ class Canvas {
   void close() { text_ += "</g>\n"; }
   void raw(const std::string& text) { text_ += text; }
   void line(Spot from, Spot to, const std::string& attributes);
-  void polyline(const std::vector<Spot>& spots, const std::string& attributes);
+  void polyline(const std::vector<Spot>& spots, const std::string& attributes) {
+    points("polyline", spots, attributes);
+  }
+  void polygon(const std::vector<Spot>& spots, const std::string& attributes) { points("polygon", spots, attributes); }
   void box(const Box& box, const std::string& attributes);
   void circle(Spot centre, double radius, const std::string& attributes);
   /// `size` also goes into the attributes.
@@ -43,6 +46,7 @@ class Canvas {
   const std::string& text() const { return text_; }
 
  private:
+  void points(const char* element, const std::vector<Spot>& spots, const std::string& attributes);
   std::string text_;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "scenarios/view/drawing.h"
+#include "scenarios/view/stripes.h"
 #include "tests/catch.h"
 #include "tests/unit/view/decoded.h"
 
@@ -32,6 +33,16 @@ Colour at(const Image& image, const Seen& place) {
   const auto i = 3 * (static_cast<std::size_t>(place.y) * static_cast<std::size_t>(image.width) +
                       static_cast<std::size_t>(place.x));
   return {image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]};
+}
+
+/// By the parity of the edges to its right.
+bool inside(const std::vector<cost::draw::Spot>& outline, double x, double y) {
+  bool in = false;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+    const auto &a = outline[i], &b = outline[j];
+    if ((a.y > y) != (b.y > y) && x < a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)) in = !in;
+  }
+  return in;
 }
 
 std::uint32_t number_at(const std::string& bytes, std::size_t at) {
@@ -100,6 +111,40 @@ TEST_CASE("stripes show how a body is turned") {
   CHECK(picture(drawing_of(recording, 0, ColourBy::plain), oblique, width, height).pixels == before.pixels);
 }
 
+TEST_CASE("stripes of vector pictures lie where those of pixels do") {
+  constexpr int size = 200;
+  for (int k = 0; k < 12; ++k) {
+    const double angle = 0.5 * k;
+    const Vector3d axis = Vector3d(std::sin(k), std::cos(2.0 * k), 0.3 * k - 1).normalized(),
+                   v = std::sin(angle) * axis;
+    Drawing drawing;
+    drawing.box = {{-1, -1, -1}, {1, 1, 1}};
+    drawing.balls = {{{0, 0, 0}, 1, {0, 0, 200}, true, {std::cos(angle), v.x(), v.y(), v.z()}}};
+    const Image image = picture(drawing, oblique, size, size);
+    const Camera camera = camera_on(drawing.box, oblique, size, size);
+    const std::vector<Stripe> marks = stripes(drawing.balls[0], camera);
+    REQUIRE(!marks.empty());
+    const Seen middle = camera.see({0, 0, 0});
+    const double radius = 0.97 * camera.focal / std::sqrt(middle.depth * middle.depth - 1);
+    std::size_t marked = 0, missed = 0;
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) {
+        const double right = x + 0.5, down = y + 0.5;
+        if (std::hypot(right - middle.x, down - middle.y) > radius) continue;
+        const Colour colour = at(image, {right, down, 1});
+        const bool grey = colour.red == colour.blue;
+        const bool in = std::any_of(marks.begin(), marks.end(),
+                                    [&](const Stripe& mark) { return inside(mark.outline, right, down); });
+        marked += grey;
+        missed += in != grey;
+      }
+    }
+    CHECK(marked > 200);
+    CHECK(static_cast<double>(missed) < 0.1 * static_cast<double>(marked));  // pixels of the edges are mixed
+  }
+  CHECK(stripes({{0, 0, 0}, 1, {}, false, {}}, camera_on({{-1, -1, -1}, {1, 1, 1}}, oblique, size, size)).empty());
+}
+
 TEST_CASE("colours by speed run from viridis' first to its last") {
   const Drawing drawing = drawing_of(three_balls(), 0, ColourBy::speed);
   CHECK(hex(drawing.balls[0].colour) == "#440154");
@@ -146,6 +191,15 @@ TEST_CASE("SVG: circles from far to near, above the lines") {
   CHECK(place("<line") < place("<circle"));
   CHECK(place("#21908d") < place("#440154"));  // y = 5 is behind
   CHECK(place("#440154") < place("#fde725"));
+  CHECK(place("<polygon") < text.size());  // the stripes of the one that turns
+  CHECK(place(">speed [m/s]<") < text.size());
+  CHECK(place(">2<") < text.size());
+  CHECK(place(">0 s<") < text.size());
+  recording.groups[0].name = "a<b";
+  const std::string by_group = svg(drawing_of(recording, 0, ColourBy::group), oblique, width, height);
+  CHECK(by_group.find(">a&lt;b<") < by_group.size());
+  CHECK(by_group.find(">two<") < by_group.size());
+  CHECK(by_group.find("speed") > by_group.size());
 }
 
 TEST_CASE("boundaries move, and what has no end is drawn near the bodies") {

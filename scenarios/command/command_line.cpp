@@ -50,6 +50,7 @@ constexpr Option view_options[] = {
     {"--columns", "LIST", "of position, orientation, speed, energy, contacts (default: the first three)",
      &Arguments::columns},
     {"--with", "SCENE", "this one too, in step with it", &Arguments::with},
+    {"--scene", "SCENE", "of a recorded file: what was run, for radii, groups and boundaries", &Arguments::scene},
     {"--compare", "KEY=LIST", "a run for each value, for example integrator=euler,rk4", &Arguments::compare},
 };
 constexpr Option still_options[] = {
@@ -127,8 +128,9 @@ const Command commands[] = {
     {"run", "SCENE", scene_doc, "Simulate a scene and print what happened.", help::run, true, run_options, "Files"},
     {"explain", "SCENE", scene_doc, "Show what a scene makes the engine do, and why.", help::explain, true, {}, ""},
     {"check", "SCENE", scene_doc, "Validate a scene without running it.", help::check, true, {}, ""},
-    {"view", "SCENE", scene_doc, "Write a page that plays a scene's motion, or a picture of a moment.", help::view,
-     true, view_options, "Page", still_options, "Picture"},
+    {"view", "SCENE", "a scene file, a scenario's name, or a recorded .npz or .csv",
+     "Write a page that plays a scene's motion, or a picture of a moment.", help::view, true, view_options, "Page",
+     still_options, "Picture"},
     {"profile", "SCENE", scene_doc, "Measure where the time goes, and thread scaling.", help::profile, true,
      profile_options, "Measuring"},
     {"cost", "SCENE", scene_doc, "Measure error against wall time over the ways to run a scene.", help::cost, true,

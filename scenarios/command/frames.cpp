@@ -8,14 +8,6 @@
 namespace ballpark::command {
 namespace {
 
-const std::vector<FrameColumn>& known_columns() {
-  static const std::vector<FrameColumn> columns = {{"position", {"x", "y", "z"}},
-                                                   {"orientation", {"qw", "qx", "qy", "qz"}},
-                                                   {"velocity", {"vx", "vy", "vz"}},
-                                                   {"angular_velocity", {"wx", "wy", "wz"}}};
-  return columns;
-}
-
 /// What any body carries.
 std::vector<std::string> carried(const World& world) {
   bool orientation = false, angular_velocity = false;
@@ -102,6 +94,14 @@ void append_angular_velocities(const World& world, std::vector<double>& to) {
 }
 
 }  // namespace
+
+const std::vector<FrameColumn>& known_columns() {
+  static const std::vector<FrameColumn> columns = {{"position", {"x", "y", "z"}},
+                                                   {"orientation", {"qw", "qx", "qy", "qz"}},
+                                                   {"velocity", {"vx", "vy", "vz"}},
+                                                   {"angular_velocity", {"wx", "wy", "wz"}}};
+  return columns;
+}
 
 FrameLayout layout_without_bodies(const scenes::OutputRequest& request) {
   if (!request.columns.empty()) return {0, columns_named(request.columns), {}};

@@ -17,6 +17,9 @@ struct FrameColumn {
   std::size_t components() const { return cells.size(); }
 };
 
+/// All there are, in the order in which files have them.
+const std::vector<FrameColumn>& known_columns();
+
 /// What each frame of a series holds.
 struct FrameLayout {
   std::size_t bodies = 0;

@@ -88,6 +88,7 @@ inline constexpr const char* view =
     "  ballpark view break\n"
     "  ballpark view pendulum --compare integrator=euler,rk4 --out euler.html\n"
     "  ballpark view break --still 0.5 --out break.png\n"
+    "  ballpark view recorded.npz --scene break\n"
     "\n"
     "Runs the scene and writes one file that plays it in a browser, offline.\n"
     "Positions are rounded to 1/65535 of the box that holds them all; the page tells\n"
@@ -100,6 +101,11 @@ inline constexpr const char* view =
     "--with and --compare play runs side by side at the same times; --set applies to\n"
     "all of them. A KEY of --compare without a dot is one of [run].\n"
     "--still: the camera sees all places where bodies were until then.\n"
+    "\n"
+    "A series that `ballpark run --out` wrote as .npz or .csv is shown as it is, with\n"
+    "what it holds; a picture is of its nearest frame. --scene tells which scene was\n"
+    "run, whose radii, groups, masses and boundaries are not in the file (radii are\n"
+    "if its columns say so).\n"
     "After Ctrl-C the page holds the frames so far.\n";
 
 inline constexpr const char* profile =

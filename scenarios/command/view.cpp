@@ -8,6 +8,7 @@
 #include "ballpark/scenes.h"
 #include "scenarios/command/commands.h"
 #include "scenarios/command/deliver.h"
+#include "scenarios/command/recorded_motion.h"
 #include "scenarios/command/scene_options.h"
 #include "scenarios/command/terminal.h"
 #include "scenarios/command/text.h"
@@ -28,6 +29,11 @@ struct Recorded {
   RunReport report;
 };
 
+/// Of each of the runs.
+view::Limits limits_of(const ViewRequest& request) {
+  return {.memory = view::Limits{}.memory / static_cast<double>(request.subjects.size())};
+}
+
 /// Runs the scene with frames at these times, and nothing else of what its file asks for.
 Recorded record(const ViewSubject& subject, const ViewRequest& request, const Options& options, bool quiet) {
   scenes::SceneFile file = subject.file;
@@ -36,8 +42,8 @@ Recorded record(const ViewSubject& subject, const ViewRequest& request, const Op
   scenes::OutputRequest frames;
   frames.at = request.times;
   file.outputs = {frames};
-  const view::Limits limits{.memory = view::Limits{}.memory / static_cast<double>(request.subjects.size())};
-  view::Recorder recorder(file.scene, options, request.columns, view::frames_of(file.scene.run, request.times), limits);
+  view::Recorder recorder(file.scene, options, request.columns, view::frames_of(file.scene.run, request.times),
+                          limits_of(request));
   Progress progress(file.scene.name, !quiet);
   scenes::RunHooks hooks;
   hooks.writers = {[&](const World& world) { recorder.add(world); }};
@@ -58,11 +64,22 @@ Recorded record(const ViewSubject& subject, const ViewRequest& request, const Op
   return recorded;
 }
 
+/// The frames of a file.
+Recorded read(const ViewSubject& subject, const ViewRequest& request) {
+  Recorded recorded;
+  const auto go_on = [&] { return !(recorded.report.interrupted = interrupted()); };
+  MotionRequest motion{subject.frames, subject.scene(), request.columns, request.columns_asked, {}, limits_of(request)};
+  if (request.still) motion.until = request.still->time;
+  recorded.recording = recorded_motion(motion, go_on);
+  recorded.report.time = recorded.recording.times.empty() ? 0 : recorded.recording.times.back();
+  return recorded;
+}
+
 std::vector<Recorded> record_all(const ViewRequest& request, const Options& options, bool quiet) {
   std::vector<Recorded> all;
   for (const ViewSubject& subject : request.subjects) {
     if (!all.empty() && interrupted()) break;
-    all.push_back(record(subject, request, options, quiet));
+    all.push_back(subject.runs() ? record(subject, request, options, quiet) : read(subject, request));
   }
   return all;
 }
@@ -174,7 +191,9 @@ void write_page(const std::vector<Recorded>& all, const ViewRequest& request, Ou
 void write_picture(const Recorded& one, const ViewRequest& request, OutputFile& file, Delivery& delivery) {
   const Still& still = *request.still;
   const Recording& recording = one.recording;
-  const view::Drawing drawing = view::drawing_of(recording, recording.times.size() - 1, still.colour);
+  const bool grey = recording.speed.empty() && still.colour == view::ColourBy::speed;
+  const view::Drawing drawing =
+      view::drawing_of(recording, recording.times.size() - 1, grey ? view::ColourBy::plain : still.colour);
   const bool vector = std::filesystem::path(file.path()).extension() == ".svg";
   const Vector3d from = still.from.value_or(view::usual_direction(drawing.box));
   const std::string content = vector ? view::svg(drawing, from, still.width, still.height)

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "scenarios/command/errors.h"
+#include "scenarios/command/frame_source.h"
 #include "scenarios/command/scene_options.h"
 #include "scenarios/command/text.h"
 #include "scenarios/files/timetable.h"
@@ -37,6 +38,13 @@ std::vector<std::string> values_of(const std::string& text) {
   return values;
 }
 
+/// Options that mean nothing for what is asked for.
+void refuse_all(const std::string& why, std::initializer_list<std::pair<const char*, bool>> given) {
+  for (const auto& [name, there] : given) {
+    if (there) throw UsageError(name + why);
+  }
+}
+
 std::vector<ViewSubject> compared(const Arguments& arguments) {
   const std::string& text = *arguments.compare;
   const std::size_t equals = text.find('=');
@@ -56,7 +64,40 @@ std::vector<ViewSubject> compared(const Arguments& arguments) {
   return subjects;
 }
 
+/// Recorded files, which nothing runs.
+std::vector<ViewSubject> recorded(const Arguments& arguments) {
+  refuse_all(" is of runs: a recorded file is shown as it is",
+             {{"--threads", arguments.threads.has_value()},
+              {"--precision", arguments.precision.has_value()},
+              {"--target", arguments.target.has_value()},
+              {"--copies", arguments.copies.has_value()},
+              {"--perturb", arguments.perturb.has_value()},
+              {"--path", arguments.path.has_value()},
+              {"--frames", arguments.frames.has_value()},
+              {"--every", arguments.every.has_value()},
+              {"--compare", arguments.compare.has_value()},
+              {"--set without --scene", !arguments.overrides.empty() && !arguments.scene}});
+  ViewSubject subject;
+  if (arguments.scene) {
+    Arguments of_scene = arguments;
+    of_scene.name = *arguments.scene;
+    subject.file = load_scene(of_scene);
+  }
+  subject.frames = arguments.name;
+  std::vector<ViewSubject> subjects{subject};
+  if (!arguments.with) return subjects;
+  if (!is_frame_file(*arguments.with)) throw UsageError("--with: beside a recorded file goes another recorded file");
+  subject.frames = *arguments.with;
+  subjects.push_back(subject);
+  return subjects;
+}
+
 std::vector<ViewSubject> subjects_of(const Arguments& arguments) {
+  if (is_frame_file(arguments.name)) return recorded(arguments);
+  if (arguments.scene) throw UsageError("--scene is of recorded files: it tells what was run");
+  if (arguments.with && is_frame_file(*arguments.with)) {
+    throw UsageError("--with: beside a scene goes another scene; two recorded files go together");
+  }
   if (arguments.compare && arguments.with) throw UsageError("--with and --compare exclude each other");
   if (arguments.compare) return compared(arguments);
   std::vector<ViewSubject> subjects{{load_scene(arguments), ""}};
@@ -132,13 +173,6 @@ Vector3d direction(const std::string& text) {
   throw UsageError(fmt::format("--from: '{}' is not a direction x,y,z (for example 1,-1.6,0.9)", text));
 }
 
-/// Options that mean nothing for what is asked for.
-void refuse_all(const std::string& why, std::initializer_list<std::pair<const char*, bool>> given) {
-  for (const auto& [name, there] : given) {
-    if (there) throw UsageError(name + why);
-  }
-}
-
 Still still_of(const Arguments& arguments) {
   refuse_all(" is of pages: it does not go with --still", {{"--frames", arguments.frames.has_value()},
                                                            {"--every", arguments.every.has_value()},
@@ -150,12 +184,12 @@ Still still_of(const Arguments& arguments) {
   if (arguments.size) std::tie(still.width, still.height) = picture_size(*arguments.size);
   if (arguments.colour) still.colour = colour_named(*arguments.colour);
   if (arguments.from) still.from = direction(*arguments.from);
+  still.time = real_number("--still", *arguments.still, true);
   return still;
 }
 
 /// A run ends at the moment that is wanted of it, which is at its nearest step.
-double cut_at(RunSettings& run, const std::string& text) {
-  const double time = real_number("--still", text, true);
+double cut_at(RunSettings& run, double time) {
   if (time > run.duration * (1 + 1e-12)) {
     throw UsageError(
         fmt::format("--still: {} s is beyond the end of the run at {} s", number(time), number(run.duration)));
@@ -181,7 +215,8 @@ std::vector<double> page_times(const Arguments& arguments, const std::vector<Vie
 
 /// The file's name, or one after the scene in the current folder.
 std::string destination(const Arguments& arguments, const ViewRequest& request) {
-  const std::string stem = std::filesystem::path(request.subjects.front().file.path).stem().string();
+  const ViewSubject& first = request.subjects.front();
+  const std::string stem = std::filesystem::path(first.runs() ? first.file.path : first.frames).stem().string();
   const std::string out = arguments.out.value_or(stem + (request.still ? ".png" : ".html"));
   const std::string ending = std::filesystem::path(out).extension().string();
   const bool known = request.still ? ending == ".png" || ending == ".svg" : ending == ".html";
@@ -189,7 +224,9 @@ std::string destination(const Arguments& arguments, const ViewRequest& request) 
     throw UsageError(fmt::format("--out: '{}' must end in {}", out,
                                  request.still ? ".png or .svg" : ".html (or, with --still T, in .png or .svg)"));
   }
-  for (const ViewSubject& subject : request.subjects) refuse_inputs({out}, subject.file);
+  for (const ViewSubject& subject : request.subjects) {
+    if (subject.scene()) refuse_inputs({out}, subject.file);
+  }
   const bool json_too = arguments.json && !arguments.json->empty() && same_file(out, *arguments.json);
   if (json_too) throw UsageError(fmt::format("'{}' would be written twice: give each its own file", out));
   return out;
@@ -210,6 +247,7 @@ void let_turn(std::vector<ViewSubject>& subjects, const Options& options, bool a
 ViewRequest view_request(const Arguments& arguments, const Options& options) {
   ViewRequest request;
   request.columns = columns_of(arguments.columns);
+  request.columns_asked = arguments.columns.has_value();
   if (arguments.max_size) request.max_size = size_limit(*arguments.max_size);
   if (arguments.still) {
     request.still = still_of(arguments);
@@ -220,11 +258,12 @@ ViewRequest view_request(const Arguments& arguments, const Options& options) {
   }
   request.subjects = subjects_of(arguments);
   request.out = destination(arguments, request);
+  if (!request.subjects[0].runs()) return request;
   for (const ViewSubject& subject : request.subjects) check_memory(subject.file.scene, options);
   request.times = request.still
-                      ? view::frame_times(cut_at(request.subjects[0].file.scene.run, *arguments.still), still_frames)
+                      ? view::frame_times(cut_at(request.subjects[0].file.scene.run, request.still->time), still_frames)
                       : page_times(arguments, request.subjects);
-  if (request.columns.orientation) let_turn(request.subjects, options, arguments.columns.has_value());
+  if (request.columns.orientation) let_turn(request.subjects, options, request.columns_asked);
   return request;
 }
 

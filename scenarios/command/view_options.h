@@ -13,21 +13,26 @@
 namespace ballpark::command {
 
 struct ViewSubject {
-  scenes::SceneFile file;
-  std::string label;  ///< in the page; "": by integrator and step
+  scenes::SceneFile file;   ///< empty for a recorded file without --scene
+  std::string label;        ///< in the page; "": by integrator and step
+  std::string frames = {};  ///< a recorded file; "": the scene is run
+  bool runs() const { return frames.empty(); }
+  const Scene* scene() const { return file.path.empty() ? nullptr : &file.scene; }
 };
 
 struct Still {
   int width = 1280, height = 800;
   view::ColourBy colour = view::ColourBy::speed;
   std::optional<Vector3d> from;  ///< direction; none: the usual one
+  double time = 0;               ///< [s]
 };
 
 struct ViewRequest {
   std::vector<ViewSubject> subjects;
   std::string out;
-  std::vector<double> times;  ///< of frames [s]
+  std::vector<double> times;  ///< of frames, where scenes are run [s]
   view::Columns columns;
+  bool columns_asked = false;
   std::size_t max_size = 30'000'000;
   std::optional<Still> still;  ///< of the last frame, to which the subject's duration is cut
 };

@@ -6,15 +6,11 @@
 #include <stdexcept>
 
 #include "scenarios/files/body_file.h"
+#include "scenarios/files/npy.h"
 
 namespace ballpark::scenes {
 
 namespace {
-
-struct Layout {
-  std::size_t item_size = 0;  ///< 4 or 8
-  std::size_t rows = 0;
-};
 
 [[noreturn]] void refuse(const std::string& message) {
   throw std::runtime_error(message);
@@ -30,32 +26,24 @@ std::string_view field(std::string_view header, std::string_view name) {
   return header;
 }
 
-std::size_t rows_of(std::string_view shape) {
-  std::size_t rows = 0, columns = 0;
-  const char* end = shape.data() + shape.size();
-  const char* at = shape.starts_with("(") ? shape.data() + 1 : end;
-  const auto first = std::from_chars(at, end, rows);
-  at = first.ptr;
-  while (at != end && (*at == ',' || *at == ' ')) ++at;
-  const auto second = std::from_chars(at, end, columns);
-  const bool closed = second.ptr != end && *second.ptr == ')';
-  if (first.ec != std::errc{} || second.ec != std::errc{} || columns != 3 || !closed) {
-    refuse(fmt::format("its shape is {}, expected (n, 3)", shape.substr(0, shape.find(')') + 1)));
+/// (3, 4) or (3,)
+std::vector<std::size_t> shape_of(std::string_view text) {
+  const std::string_view all = text.substr(0, text.find(')') + 1);
+  std::vector<std::size_t> shape;
+  const char* at = all.data() + all.starts_with("(");
+  const char* end = all.data() + all.size();
+  while (at != end && *at != ')') {
+    std::size_t length = 0;
+    const auto [after, error] = std::from_chars(at, end, length);
+    if (error != std::errc{}) refuse(fmt::format("its shape is {}, expected numbers in brackets", all));
+    shape.push_back(length);
+    at = after;
+    while (at != end && (*at == ',' || *at == ' ')) ++at;
   }
-  return rows;
+  if (all.empty()) refuse("its shape does not end");
+  return shape;
 }
 
-Layout layout_of(std::string_view header) {
-  const std::string_view type = field(header, "descr");
-  const bool is_double = type.starts_with("'<f8'");
-  if (!is_double && !type.starts_with("'<f4'")) {
-    refuse(fmt::format("its type is {}, expected '<f8' or '<f4'", type.substr(0, type.find(','))));
-  }
-  if (!field(header, "fortran_order").starts_with("False")) refuse("it is in Fortran order, expected C order");
-  return {is_double ? std::size_t{8} : std::size_t{4}, rows_of(field(header, "shape"))};
-}
-
-/// Takes the magic, the version and the header off the bytes.
 std::string_view take_header(std::string_view& bytes) {
   if (!bytes.starts_with("\x93NUMPY") || bytes.size() < 12) refuse("is no .npy file");
   const auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i])); };
@@ -81,15 +69,33 @@ std::vector<Vector3d> vectors_of(std::string_view bytes, std::size_t rows) {
 
 }  // namespace
 
+std::size_t NpyLayout::item_size() const {
+  return type == "<f8" ? 8 : type == "<f4" ? 4 : 0;
+}
+
+std::string NpyLayout::shape_text() const {
+  return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+}
+
+NpyLayout take_npy_header(std::string_view& bytes) {
+  const std::string_view header = take_header(bytes);
+  const std::string_view type = field(header, "descr");
+  if (!field(header, "fortran_order").starts_with("False")) refuse("it is in Fortran order, expected C order");
+  const std::string_view quoted = type.substr(0, type.find(','));
+  const bool plain = quoted.size() > 2 && quoted.front() == '\'' && quoted.back() == '\'';
+  return {std::string(plain ? quoted.substr(1, quoted.size() - 2) : quoted), shape_of(field(header, "shape"))};
+}
+
 BodyGroup rows_from_npy(std::string_view bytes) {
-  const Layout layout = layout_of(take_header(bytes));
-  const std::size_t row_size = 3 * layout.item_size;
-  if (bytes.size() / row_size < layout.rows) {
-    refuse(fmt::format("ends after {} of {} rows", bytes.size() / row_size, layout.rows));
+  const NpyLayout layout = take_npy_header(bytes);
+  if (layout.item_size() == 0) refuse(fmt::format("its type is '{}', expected '<f8' or '<f4'", layout.type));
+  if (layout.shape.size() != 2 || layout.shape[1] != 3) {
+    refuse(fmt::format("its shape is {}, expected (n, 3)", layout.shape_text()));
   }
+  const std::size_t rows = layout.shape[0], row_size = 3 * layout.item_size();
+  if (bytes.size() / row_size < rows) refuse(fmt::format("ends after {} of {} rows", bytes.size() / row_size, rows));
   BodyGroup group;
-  group.position =
-      layout.item_size == 8 ? vectors_of<double>(bytes, layout.rows) : vectors_of<float>(bytes, layout.rows);
+  group.position = layout.item_size() == 8 ? vectors_of<double>(bytes, rows) : vectors_of<float>(bytes, rows);
   return group;
 }
 

@@ -123,6 +123,9 @@ double World::constant(const std::string& name, const std::string& group) const 
 BodyState World::body(std::size_t id) const {
   return world_->body(id);
 }
+std::vector<ContactLoad> World::contact_loads() const {
+  return world_->contact_loads();
+}
 void World::set(std::size_t id, const BodyState& state) {
   world_->set(id, state);
 }

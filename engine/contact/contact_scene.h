@@ -16,6 +16,13 @@ struct LawTable {
   const ImpactLaw& of(std::uint16_t i, std::uint16_t j) const { return laws[i * materials + j]; }
 };
 
+/// What contacts do to a body.
+struct BodyLoad {
+  std::uint32_t contacts = 0;  ///< that press on it
+  Vector3<Real> force;         ///< of all of them [N]
+  void add(const Vector3<Real>& of_one) { ++contacts, force += of_one; }
+};
+
 struct ContactScene {
   std::vector<Wall> walls;
   LawTable laws;

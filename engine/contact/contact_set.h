@@ -62,6 +62,7 @@ class ContactSet {
   struct Saved {
     std::uint32_t a, b;
     ContactImpulse solved, relaxed;
+    Vector3<Real> normal;  ///< for those who ask what contacts bear
   };
   std::vector<Saved> saved_pairs() const;
   std::vector<Saved> saved_walls() const;
@@ -70,6 +71,8 @@ class ContactSet {
   std::size_t watched_blocks() const { return watched_.size(); }
   std::span<const WatchedPair> watched(std::size_t block) const { return watched_[block]; }
   std::size_t bytes() const;
+  /// In the order of ranks: that of b of each pair.
+  std::uint32_t other_rank(std::size_t pair) const { return other_[pair]; }
 
  private:
   /// Impulses of the step before that were not zero.

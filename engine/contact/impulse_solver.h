@@ -52,6 +52,8 @@ class ImpulseSolver : public ContactScene {
   void solve(Workers& workers);
   /// Loaded contacts hold velocities: velocities at the end.
   void relax(Workers& workers);
+  /// Of each body, by rank, in the last substep: a mean force, without impacts, which take no time.
+  std::vector<BodyLoad> loads() const;
   /// What the next step needs of the last one beside the bodies' state, as bytes.
   std::vector<std::byte> save() const;
   /// False if the bytes do not fit these bodies and walls; then nothing has changed.

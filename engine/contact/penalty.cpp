@@ -97,6 +97,22 @@ bool Penalty::meets_wall(std::size_t wall, std::size_t slot, Meeting& meeting) c
   return true;
 }
 
+/// Writes a contact's force, with its tangential spring at `slid`.
+Penalty::Held Penalty::bear(Contacts& contacts, std::size_t i, const Meeting& meeting, const Vector3<Real>& slid) {
+  const SpringDashpot& law = contacts.laws[i];
+  const Touch& touch = meeting.touch;
+  const Real pressed = push(law, touch, settings.may_pull);
+  contacts.forces[i] = pressed * touch.normal;
+  if (contacts.slid.empty()) return {};
+  contacts.twists[i] = {};
+  if (law.friction == 0) return {};
+  Held held;
+  held.force = friction(law, touch, pressed, slid, held.share);
+  contacts.forces[i] += held.force;
+  contacts.twists[i] = meeting.lever * cross(touch.normal, held.force);
+  return held;
+}
+
 /// Writes a contact's force in the phase, and the rate of its tangential spring. Where the spring itself is at hand,
 /// one that slips is set so that with its dashpot it pulls as hard as friction holds.
 void Penalty::press(Contacts& contacts, std::size_t i, std::span<const Real> stage, bool touching,
@@ -111,44 +127,21 @@ void Penalty::press(Contacts& contacts, std::size_t i, std::span<const Real> sta
   }
   const SpringDashpot& law = contacts.laws[i];
   const Touch& touch = meeting.touch;
-  const Real pressed = push(law, touch, settings.may_pull);
-  contacts.forces[i] = pressed * touch.normal;
-  if (!slides) return;
-  contacts.twists[i] = {};
-  contacts.rates[rate] = {};
-  if (law.friction == 0) return;
-  const Vector3<Real> slid = across(moved(contacts.slid[i], contacts.rates, contacts.size(), i, stage), touch.normal);
-  Real share;
-  const Vector3<Real> held = friction(law, touch, pressed, slid, share);
-  contacts.forces[i] += held;
-  contacts.twists[i] = meeting.lever * cross(touch.normal, held);
-  if (starts) {
-    contacts.slid[i] = share < 1 ? (Real(-1) / law.slide_stiffness) * (held + law.slide_damping * touch.slip) : slid;
-  }
-  const Vector3<Real>& spring = starts ? contacts.slid[i] : slid;
-  contacts.rates[rate] = slide_rate(meeting, spring);
+  const bool rubs = slides && law.friction != 0;
+  Vector3<Real> slid;
+  if (rubs) slid = across(moved(contacts.slid[i], contacts.rates, contacts.size(), i, stage), touch.normal);
+  const Held held = bear(contacts, i, meeting, slid);
+  if (slides) contacts.rates[rate] = {};
+  if (!rubs) return;
+  if (starts && held.share < 1) slid = (Real(-1) / law.slide_stiffness) * (held.force + law.slide_damping * touch.slip);
+  if (starts) contacts.slid[i] = slid;
+  contacts.rates[rate] = slide_rate(meeting, slid);
 }
 
 /// The spring slips with the surfaces and turns with the normal and about it.
 Vector3<Real> Penalty::slide_rate(const Meeting& meeting, const Vector3<Real>& slid) {
   const Touch& touch = meeting.touch;
   return touch.slip - dot(slid, meeting.turning) * touch.normal + cross(meeting.spin, slid);
-}
-
-template <class Act>
-void Penalty::for_meetings(std::size_t first, std::size_t last, Act act) {
-  for (std::size_t slot = first; slot < last; ++slot) {
-    for (std::uint32_t i = list_.first[slot]; i < list_.first[slot + 1]; ++i) {
-      Meeting meeting;
-      const bool touching = meets(slot, list_.other[i], meeting);
-      act(pairs_, i, touching, meeting);
-    }
-    for (std::uint32_t i = first_wall_[slot]; i < first_wall_[slot + 1]; ++i) {
-      Meeting meeting;
-      const bool touching = meets_wall(wall_[i], slot, meeting);
-      act(walls_, i, touching, meeting);
-    }
-  }
 }
 
 void Penalty::touch_all(std::span<const Real> stage, std::size_t first, std::size_t last, Part& part) {

@@ -54,6 +54,8 @@ class Penalty : public ContactScene {
   void drift(Real h, Workers& workers);
   /// Energy in all springs, of bodies as `bodies` has them [J].
   double energy(double time, Workers& workers);
+  /// Of each body, by rank, as `bodies` has them.
+  std::vector<BodyLoad> loads(double time, Workers& workers);
   /// State between steps as bytes; false if they do not fit these bodies and walls.
   std::vector<std::byte> save() const;
   bool restore(const std::vector<std::byte>& bytes);
@@ -95,6 +97,11 @@ class Penalty : public ContactScene {
     Vector3<Real> turning;  ///< rate of the normal [1/s]
     Vector3<Real> spin;     ///< of the spring about the normal [rad/s]
   };
+  /// What friction holds on b, and how much of the spring remains when it slips.
+  struct Held {
+    Vector3<Real> force;
+    Real share = 1;
+  };
   struct Load {
     std::uint32_t contacts = 0;
     Real damping = 0;  ///< of all of them per mass, along or across the normal [1/s]
@@ -116,6 +123,7 @@ class Penalty : public ContactScene {
   template <class Act>
   void for_meetings(std::size_t first, std::size_t last, Act act);
   static Vector3<Real> slide_rate(const Meeting& meeting, const Vector3<Real>& slid);
+  Held bear(Contacts& contacts, std::size_t i, const Meeting& meeting, const Vector3<Real>& slid);
   void press(Contacts& contacts, std::size_t i, std::span<const Real> stage, bool touching, const Meeting& meeting);
   void touch_all(std::span<const Real> stage, std::size_t first, std::size_t last, Part& part);
   void sum(std::size_t slot);
@@ -143,5 +151,21 @@ class Penalty : public ContactScene {
   double listed_at_ = 0;
   PenaltyCounters counters_, counters_before_;
 };
+
+template <class Act>
+void Penalty::for_meetings(std::size_t first, std::size_t last, Act act) {
+  for (std::size_t slot = first; slot < last; ++slot) {
+    for (std::uint32_t i = list_.first[slot]; i < list_.first[slot + 1]; ++i) {
+      Meeting meeting;
+      const bool touching = meets(slot, list_.other[i], meeting);
+      act(pairs_, i, touching, meeting);
+    }
+    for (std::uint32_t i = first_wall_[slot]; i < first_wall_[slot + 1]; ++i) {
+      Meeting meeting;
+      const bool touching = meets_wall(wall_[i], slot, meeting);
+      act(walls_, i, touching, meeting);
+    }
+  }
+}
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -55,7 +55,8 @@ std::vector<ContactSet::Saved> ContactSet::saved_pairs() const {
   std::vector<Saved> list;
   for (std::uint32_t rank = 0; rank + 1 < first_of_rank.size(); ++rank) {
     for (std::uint32_t i = first_of_rank[rank]; i < first_of_rank[rank + 1]; ++i) {
-      list.push_back({rank, other_[i], pairs[place[i]].solved, pairs[place[i]].relaxed});
+      const Contact& contact = pairs[place[i]];
+      list.push_back({rank, other_[i], contact.solved, contact.relaxed, contact.normal});
     }
   }
   return list;
@@ -65,7 +66,7 @@ std::vector<ContactSet::Saved> ContactSet::saved_walls() const {
   std::vector<Saved> list;
   for (std::uint32_t rank = 0; rank + 1 < first_wall_of_rank.size(); ++rank) {
     for (std::uint32_t i = first_wall_of_rank[rank]; i < first_wall_of_rank[rank + 1]; ++i) {
-      list.push_back({walls[i].a, rank, walls[i].solved, walls[i].relaxed});
+      list.push_back({walls[i].a, rank, walls[i].solved, walls[i].relaxed, walls[i].normal});
     }
   }
   return list;
@@ -79,6 +80,7 @@ void ContactSet::restore(const std::vector<Saved>& saved_pairs, const std::vecto
     for (std::size_t i = 0; i < saved.size(); ++i) {
       list[i].a = saved[i].a;
       list[i].solved = saved[i].solved, list[i].relaxed = saved[i].relaxed;
+      list[i].normal = saved[i].normal;
     }
   };
   const auto count = [&](const std::vector<Saved>& saved, std::vector<std::uint32_t>& first, auto rank_of) {

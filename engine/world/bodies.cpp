@@ -126,6 +126,19 @@ std::size_t World::id_of(const Group& group, std::size_t row) const {
   return group.copies.copy_of(row) * per_copy_ + group.id_offset + group.copies.index_of(row);
 }
 
+std::vector<ContactLoad> World::contact_loads() const {
+  if (!contacts_) refuse("contact_loads", "bodies do not touch in this scene, expected one with [contact]");
+  const std::vector<BodyLoad> loads = contacts_->loads(groups_, time(), workers_);
+  std::vector<ContactLoad> all(body_count());
+  for (const SlotRange& range : contacts_->ranges) {
+    for (std::size_t i = 0; i < range.count; ++i) {
+      const BodyLoad& load = loads[range.first_slot + i];
+      all[id_of(groups_[range.group], range.first_row + i)] = {load.contacts, to_double(load.force)};
+    }
+  }
+  return all;
+}
+
 BodyState World::body(std::size_t id) const {
   const auto [g, row] = known_place(id, "body");
   const Group& group = groups_[g];

@@ -227,6 +227,11 @@ Real PenaltyStep::stride(const std::vector<Group>& groups, Real h, Workers& work
   return most;
 }
 
+std::vector<BodyLoad> PenaltyStep::loads(const std::vector<Group>& groups, double time, Workers& workers) {
+  read_state(groups, &StepGroup::state, workers);
+  return penalty.loads(time, workers);
+}
+
 double PenaltyStep::energy(const std::vector<Group>& groups, double time, Workers& workers) {
   read_state(groups, &StepGroup::state, workers);
   return penalty.energy(time, workers);

@@ -28,6 +28,8 @@ class ContactStep {
   /// Adds the passes around those of smooth motion, and what contacts there are.
   virtual void explain(const std::vector<Group>& groups, Explanation& all) const = 0;
   bool holds(std::size_t group) const;
+  /// What contacts do to each body that may touch, in the order of ids.
+  virtual std::vector<BodyLoad> loads(const std::vector<Group>& groups, double time, Workers& workers) = 0;
   /// Bodies whose centre has passed a wall.
   std::size_t count_outside(const std::vector<Group>& groups, double time) const;
 
@@ -55,6 +57,7 @@ class ImpulseStep : public ContactStep {
   std::vector<std::byte> save() const override { return solver.save(); }
   bool restore(const std::vector<std::byte>& bytes) override { return solver.restore(bytes); }
   void explain(const std::vector<Group>& groups, Explanation& all) const override;
+  std::vector<BodyLoad> loads(const std::vector<Group>&, double, Workers&) override { return solver.loads(); }
 
   /// The state at the start of a substep, and what smooth motion has made of it.
   void read_start(const std::vector<Group>& groups, Workers& workers);
@@ -76,6 +79,7 @@ class PenaltyStep : public ContactStep {
   std::vector<std::byte> save() const override { return penalty.save(); }
   bool restore(const std::vector<std::byte>& bytes) override { return penalty.restore(bytes); }
   void explain(const std::vector<Group>& groups, Explanation& all) const override;
+  std::vector<BodyLoad> loads(const std::vector<Group>& groups, double time, Workers& workers) override;
 
   /// Neighbours of the bodies as they stand, for one evaluation that take_back() undoes.
   void look(const std::vector<Group>& groups, double time, Workers& workers) { begin(groups, time, 0, workers); }

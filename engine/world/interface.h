@@ -38,6 +38,7 @@ class WorldInterface {
   virtual void apply_impulse(std::size_t id, const Vector3d& J, const Vector3d& offset) = 0;
   virtual void schedule_impulse(const Impulse& impulse) = 0;
   virtual void apply_load(const std::string& kind, std::size_t id, const Vector3d& load, double at, double until) = 0;
+  virtual std::vector<ContactLoad> contact_loads() const = 0;
   virtual Totals totals() const = 0;
   virtual std::uint64_t state_hash() const = 0;
   virtual Explanation explain() const = 0;

@@ -49,6 +49,7 @@ class World : public WorldInterface {
   void apply_impulse(std::size_t id, const Vector3d& J, const Vector3d& offset) override;
   void schedule_impulse(const Impulse& impulse) override;
   void apply_load(const std::string& kind, std::size_t id, const Vector3d& load, double at, double until) override;
+  std::vector<ContactLoad> contact_loads() const override;
   Totals totals() const override;
   std::uint64_t state_hash() const override;
   Explanation explain() const override;

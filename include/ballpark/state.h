@@ -21,6 +21,12 @@ struct BodyState {
   bool has_angular_velocity = false;
 };
 
+/// What contacts do to one body.
+struct ContactLoad {
+  std::uint32_t contacts = 0;         ///< bodies and faces of boundaries that press on it
+  Vector3d force = Vector3d::Zero();  ///< of all of them [N]
+};
+
 /// A column read in place: component c of the body in row r is `view[c][r - first_row]`. Valid until the next step.
 /// It ends with the last body. Between groups there may be rows of no body, whose values mean nothing.
 template <class Real>

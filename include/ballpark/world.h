@@ -76,6 +76,10 @@ class World {
   void apply_force(std::size_t id, const Vector3d& F, double at, double until);
   void apply_torque(std::size_t id, const Vector3d& torque, double at, double until);
 
+  /// Contacts of each body, by id, and their force; found when asked for, which changes no bit of the motion.
+  /// `penalty`: now. `impulse`: those of the last substep, with their mean force in it; impacts, which take no time,
+  /// are no force. Throws SceneError where bodies do not touch.
+  std::vector<ContactLoad> contact_loads() const;
   Totals totals() const;             ///< energy and momenta now; one pass over all bodies
   std::uint64_t state_hash() const;  ///< over the state columns, by id
   Explanation explain() const;

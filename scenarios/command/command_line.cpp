@@ -37,7 +37,9 @@ constexpr Option run_options[] = {
     {"--figure", "FILE", "energy, momenta, contacts and speed over time, as .svg", &Arguments::figure},
     {"--every", "S", "with --out: a frame every S seconds of simulated time", &Arguments::every},
     {"--out", "FILE", "write the frames: .npz, .csv, .xyz, or .pvd with .vtp", &Arguments::out},
-    {"--columns", "LIST", "of position, velocity, orientation, angular_velocity, radius (default: what bodies carry)",
+    {"--columns", "LIST",
+     "of position, velocity, orientation, angular_velocity, radius, contacts, contact_force (default: what bodies "
+     "carry)",
      &Arguments::columns},
     {"--out-precision", "P", "single or double, of the numbers in --out (default: single in .vtp, else double)",
      &Arguments::out_precision},

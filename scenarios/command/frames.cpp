@@ -96,10 +96,10 @@ void append_angular_velocities(const World& world, std::vector<double>& to) {
 }  // namespace
 
 const std::vector<FrameColumn>& known_columns() {
-  static const std::vector<FrameColumn> columns = {{"position", {"x", "y", "z"}},
-                                                   {"orientation", {"qw", "qx", "qy", "qz"}},
-                                                   {"velocity", {"vx", "vy", "vz"}},
-                                                   {"angular_velocity", {"wx", "wy", "wz"}}};
+  static const std::vector<FrameColumn> columns = {
+      {"position", {"x", "y", "z"}},    {"orientation", {"qw", "qx", "qy", "qz"}},
+      {"velocity", {"vx", "vy", "vz"}}, {"angular_velocity", {"wx", "wy", "wz"}},
+      {"contacts", {"contacts"}},       {"contact_force", {"fx", "fy", "fz"}}};
   return columns;
 }
 
@@ -141,6 +141,9 @@ FrameReader::FrameReader(const World& world, const Scene& scene, const scenes::O
 }
 
 void FrameReader::add(const World& world, Frames& frames) const {
+  const auto of_contacts = [](const FrameColumn& column) { return column.name.starts_with("contact"); };
+  const bool touched = std::any_of(layout_.columns.begin(), layout_.columns.end(), of_contacts);
+  const std::vector<ContactLoad> loads = touched ? world.contact_loads() : std::vector<ContactLoad>();
   frames.columns.resize(layout_.columns.size());
   frames.times.push_back(world.time());
   for (std::size_t c = 0; c < layout_.columns.size(); ++c) {
@@ -150,6 +153,10 @@ void FrameReader::add(const World& world, Frames& frames) const {
       append_orientations(world, values);
     } else if (name == "angular_velocity") {
       append_angular_velocities(world, values);
+    } else if (name == "contacts") {
+      for (const ContactLoad& load : loads) values.push_back(load.contacts);
+    } else if (name == "contact_force") {
+      for (const ContactLoad& load : loads) values.insert(values.end(), load.force.begin(), load.force.end());
     } else {
       append_view_of(world, name, rows_, values);
     }

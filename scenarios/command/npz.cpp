@@ -102,7 +102,9 @@ void NpzFrames::finish() {
   time_.move_to(archive, file_, {frames_});
   id_.move_to(archive, file_, {layout_.bodies});
   for (std::size_t c = 0; c < layout_.columns.size(); ++c) {
-    columns_[c].move_to(archive, file_, {frames_, layout_.bodies, layout_.columns[c].components()});
+    std::vector<std::size_t> shape{frames_, layout_.bodies};
+    if (const std::size_t n = layout_.columns[c].components(); n > 1) shape.push_back(n);
+    columns_[c].move_to(archive, file_, shape);
   }
   if (!layout_.radius.empty()) columns_.back().move_to(archive, file_, {layout_.bodies});
   archive.finish();

@@ -1,5 +1,6 @@
-// The state over time as NumPy's .npz: arrays time [T], id [N], a column's name [T, N, 3] (orientation [T, N, 4]), and
-// radius [N] if it was asked for. Stored, not compressed: states do not compress and np.load stays quick.
+// The state over time as NumPy's .npz: arrays time [T], id [N], a column's name [T, N, 3] (orientation [T, N, 4],
+// contacts [T, N]), and radius [N] if it was asked for. Stored, not compressed: states do not compress and np.load
+// stays quick.
 #pragma once
 
 #include <cstdio>

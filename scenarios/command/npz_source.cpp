@@ -158,7 +158,9 @@ class NpzSource : public FrameSource {
       layout_.bodies = shape[1];
       for (const FrameColumn& column : known_columns()) {
         if (!archive_->find(column.name)) continue;
-        columns_.push_back(array(column.name, {times_.size(), layout_.bodies, column.components()}));
+        std::vector<std::size_t> expected{times_.size(), layout_.bodies};
+        if (column.components() > 1) expected.push_back(column.components());
+        columns_.push_back(array(column.name, expected));
         layout_.columns.push_back(column);
       }
       if (!archive_->find("radius")) return;

@@ -22,9 +22,11 @@ class FrameBodies {
       : position(place(layout, "position")),
         velocity(place(layout, "velocity")),
         orientation(place(layout, "orientation")),
-        angular_velocity(place(layout, "angular_velocity")) {}
+        angular_velocity(place(layout, "angular_velocity")),
+        contacts(place(layout, "contacts")) {}
 
-  const std::optional<std::size_t> position, velocity, orientation, angular_velocity;  ///< columns that there are
+  const std::optional<std::size_t> position, velocity, orientation, angular_velocity,
+      contacts;  ///< columns that there are
 
   BodyState body(const Frames& frame, std::size_t id) const {
     BodyState state;
@@ -36,6 +38,10 @@ class FrameBodies {
       state.orientation = {q[0], q[1], q[2], q[3]};
     }
     return state;
+  }
+
+  std::uint8_t contacts_of(const Frames& frame, std::size_t id) const {
+    return contacts ? static_cast<std::uint8_t>(std::max(0.0, std::min(255.0, frame.columns[*contacts][id]))) : 0;
   }
 
  private:
@@ -63,7 +69,7 @@ view::Columns columns_of(const MotionRequest& request, const FrameBodies& bodies
   columns.speed = offered(columns.speed, bodies.velocity.has_value(), "speed", "velocity was not written");
   columns.energy = offered(columns.energy, request.scene && bodies.velocity.has_value(), "energy",
                            "it needs velocity, and masses from --scene SCENE");
-  columns.contacts = offered(columns.contacts, false, "contacts", "they are counted while a scene runs");
+  columns.contacts = offered(columns.contacts, bodies.contacts.has_value(), "contacts", "they were not written");
   return columns;
 }
 
@@ -125,7 +131,7 @@ view::Recording recorded_motion(const MotionRequest& request, const std::functio
     if (film.frames() == 0) {
       film.begin(shown, columns, source->frames(), layout.bodies, bodies.body(frame, shown.ids[0]).position);
     }
-    for (const std::size_t id : shown.ids) film.add(bodies.body(frame, id));
+    for (const std::size_t id : shown.ids) film.add(bodies.body(frame, id), bodies.contacts_of(frame, id));
     film.end_frame(last = time);
   }
   if (request.until && !passed && *request.until > last * (1 + 1e-12)) {

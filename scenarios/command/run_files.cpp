@@ -44,7 +44,7 @@ void refuse_alone(const char* option, const std::optional<std::string>& value, c
   if (value) throw UsageError(fmt::format("{} needs --out FILE: {}", option, purpose));
 }
 
-std::optional<scenes::OutputRequest> requested_series(const Arguments& arguments) {
+std::optional<scenes::OutputRequest> requested_series(const Arguments& arguments, const Scene& scene) {
   if (!arguments.out) {
     refuse_alone("--every", arguments.every, "where the frames go");
     refuse_alone("--columns", arguments.columns, "what of the bodies goes there");
@@ -65,13 +65,16 @@ std::optional<scenes::OutputRequest> requested_series(const Arguments& arguments
   if (scenes::lacks_position(request)) {
     throw UsageError(fmt::format("--columns: '{}' shows where bodies are, so position must be there", request.file));
   }
+  if (const std::string column = scenes::lacking_contacts(request, scene); !column.empty()) {
+    throw UsageError(fmt::format("--columns: there are no {}: bodies do not touch in this scene", column));
+  }
   return request;
 }
 
 }  // namespace
 
 RunFiles::RunFiles(scenes::SceneFile& scene_file, const Arguments& arguments) : scene_(scene_file.scene) {
-  if (auto request = requested_series(arguments)) scene_file.outputs.push_back(*request);
+  if (auto request = requested_series(arguments, scene_)) scene_file.outputs.push_back(*request);
   std::vector<std::string> paths;
   for (const scenes::OutputRequest& output : scene_file.outputs) paths.push_back(frame_file_name(output.file));
   if (arguments.state) paths.push_back(*arguments.state);

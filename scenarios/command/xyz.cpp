@@ -13,7 +13,9 @@ const std::map<std::string, std::string>& property_names() {
   static const std::map<std::string, std::string> names = {{"position", "pos"},
                                                            {"velocity", "velo"},
                                                            {"orientation", "orientation"},
-                                                           {"angular_velocity", "angular_velocity"}};
+                                                           {"angular_velocity", "angular_velocity"},
+                                                           {"contacts", "contacts"},
+                                                           {"contact_force", "contact_force"}};
   return names;
 }
 

@@ -195,7 +195,8 @@ Rows output_rows() {
           "Relative to where the program runs; the ending is " + output_endings() + ".")
           .must(),
       Row("columns", words, "", into(&OutputRequest::columns),
-          "What is written beside time and id; all that bodies carry if left out (radius: where it is drawn).")
+          "What is written beside time and id; all that bodies carry if left out (radius: where it is drawn). "
+          "contacts and contact_force [N]: how many contacts each body has, and the force of all of them.")
           .one_of(output_columns()),
       Row("precision", word, "", into(&OutputRequest::precision),
           "Of the numbers; if left out single in .pvd and .vtp, else double.")

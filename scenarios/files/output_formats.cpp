@@ -33,7 +33,8 @@ std::string output_endings() {
 }
 
 const std::vector<std::string>& output_columns() {
-  static const std::vector<std::string> names = {"position", "orientation", "velocity", "angular_velocity", "radius"};
+  static const std::vector<std::string> names = {"position", "orientation",   "velocity", "angular_velocity",
+                                                 "contacts", "contact_force", "radius"};
   return names;
 }
 
@@ -42,6 +43,15 @@ bool lacks_position(const OutputRequest& request) {
   const std::vector<std::string>& chosen = request.columns;
   return format && format->drawn && !chosen.empty() &&
          std::find(chosen.begin(), chosen.end(), "position") == chosen.end();
+}
+
+std::string lacking_contacts(const OutputRequest& request, const Scene& scene) {
+  if (!scene.contact.kind.empty()) return "";
+  for (const char* name : {"contacts", "contact_force"}) {
+    const std::vector<std::string>& chosen = request.columns;
+    if (std::find(chosen.begin(), chosen.end(), name) != chosen.end()) return name;
+  }
+  return "";
 }
 
 }  // namespace ballpark::scenes

@@ -25,5 +25,7 @@ std::string output_endings();
 const std::vector<std::string>& output_columns();
 /// Would the file be drawn, but has chosen columns without positions?
 bool lacks_position(const OutputRequest& request);
+/// A column that it has chosen, of contacts, which the scene has not; "" if there is none.
+std::string lacking_contacts(const OutputRequest& request, const Scene& scene);
 
 }  // namespace ballpark::scenes

@@ -16,7 +16,7 @@ namespace {
 
 class RequestCheck {
  public:
-  explicit RequestCheck(const RunSettings& run) : run_(run) {}
+  explicit RequestCheck(const Scene& scene) : scene_(scene), run_(scene.run) {}
 
   void output(const OutputRequest& request, const std::string& path) {
     optional_number("output", "every", request.every, path);
@@ -29,6 +29,10 @@ class RequestCheck {
     }
     if (lacks_position(request)) {
       add(path + ".columns", "lack \"position\", expected it among the columns of a file that is drawn");
+    }
+    if (const std::string column = lacking_contacts(request, scene_); !column.empty()) {
+      add(path + ".columns",
+          fmt::format("have \"{}\", but bodies do not touch, expected a scene with [contact]", column));
     }
   }
 
@@ -91,13 +95,14 @@ class RequestCheck {
     }
   }
 
+  const Scene& scene_;
   const RunSettings& run_;
 };
 
 }  // namespace
 
 std::vector<Problem> check_requests(const SceneFile& file) {
-  RequestCheck check(file.scene.run);
+  RequestCheck check(file.scene);
   for (std::size_t i = 0; i < file.outputs.size(); ++i) check.output(file.outputs[i], fmt::format("output[{}]", i));
   for (std::size_t i = 0; i < file.events.size(); ++i) {
     check.event(file.events[i], file.events, fmt::format("event[{}]", i));

@@ -155,6 +155,38 @@ class Outputs(CommandTest):
         odd = self.write("odd.toml", SPHERES + output.replace("single", "half"))
         self.refused("check", odd, says=["output[0].precision", "single"])
 
+    def test_contacts_and_their_force(self):
+        """Of a ball on the floor: one contact, which bears its weight. Another is in flight."""
+        for kind, more in (("impulse", ""), ("penalty", "stiffness = 1e5\n")):
+            floor = SPHERES[:SPHERES.index("[[boundaries]]")].replace('"impulse"\n', f'"{kind}"\n{more}')
+            ball = '[[boundaries]]\nshape = "plane"\nmaterial = "hard"\n[[bodies]]\nname = "balls"\nshape = "sphere"\n' \
+                'material = "hard"\nradius = 0.5\nmass = 2.0\nposition = [[0.0, 0.0, 0.5], [3.0, 0.0, 90.0]]\n' \
+                '[[effects]]\nkind = "gravity"\n'
+            scene = self.write("floor.toml", (floor + ball).replace("restitution = 1.0", "restitution = 0.1"))
+            words = ["run", scene, "--set", "run.duration=2", "--set", "run.step=1e-3", "--every", "1"]
+            names = "position,contacts,contact_force"
+            plain = self.json("run", scene, *words[2:6])["state_hash"]
+            self.assertEqual(self.json(*words, "--out", "a.csv", "--columns", names)["state_hash"], plain)
+            rows = self.rows("a.csv")
+            self.assertEqual(list(rows[0]), "time id x y z contacts fx fy fz".split())
+            self.assertEqual([float(row["contacts"]) for row in rows[2:]], [1, 0, 1, 0])
+            self.assertAlmostEqual(float(rows[4]["fz"]), 2 * 9.81, places=6)
+            self.assertEqual([float(rows[5][cell]) for cell in ("fx", "fy", "fz")], [0, 0, 0])
+            self.call(*words, "--out", "a.npz", "--columns", names)
+            with zipfile.ZipFile(self.folder / "a.npz") as archive:
+                self.assertIn(b"'shape': (3, 2), ", archive.read("contacts.npy"))
+                self.assertIn(b"'shape': (3, 2, 3), ", archive.read("contact_force.npy"))
+            self.assertEqual(list(self.json("view", "a.npz", "--columns", "contacts")["runs"][0]["bytes"]),
+                             ["position", "contacts"])
+            self.call(*words, "--out", "a.xyz", "--columns", names)
+            self.assertIn("pos:R:3:contacts:R:1:contact_force:R:3", (self.folder / "a.xyz").read_text())
+            self.call(*words, "--out", "a.vtp", "--columns", names)
+            self.assertIn(b'Name="contact_force" NumberOfComponents="3"', (self.folder / "a_0000.vtp").read_bytes())
+        self.refused("run", self.scene, "--every", "0.5", "--out", "a.csv", "--columns", "position,contact_force",
+                     says=["no contact_force", "do not touch"])
+        output = '[[output]]\nevery = 0.25\nfile = "a.csv"\ncolumns = ["contacts"]\n'
+        self.refused("check", self.write("alone.toml", BALL + output), says=["output[0].columns", "do not touch"])
+
     def test_options_that_do_not_fit(self):
         series = ["run", self.spheres, "--every", "0.25", "--out", "a.vtp"]
         self.refused(*series, "--columns", "positoin", says="did you mean 'position'")

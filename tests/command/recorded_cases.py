@@ -142,7 +142,7 @@ class Recorded(CommandTest):
                 (["--threads", "1"], "--threads is of runs"), (["--frames", "3"], "--frames is of runs"),
                 (["--set", "run.step=1"], "--scene"), (["--compare", "step=1,2"], "--compare is of runs"),
                 (["--columns", "speed"], "velocity was not written"), (["--columns", "energy"], "--scene"),
-                (["--columns", "contacts"], "while a scene runs"), (["--with", "break"], "another recorded file"),
+                (["--columns", "contacts"], "contacts: they were not written"), (["--with", "break"], "another recorded file"),
                 (["--scene", self.spheres], "has 2 bodies, the scene 3")]:
             self.refused("view", "a.npz", *words, says=says)
         self.refused("view", self.scene, "--scene", "break", says="recorded")

@@ -18,10 +18,10 @@ using perf::seconds_now;
 constexpr std::size_t usual_looks = 20, most_bodies = 256;
 
 /// Do positions change along the path, or do bodies only turn?
-Measure natural_measure(const Ground& ground) {
+Measure natural_measure(const Ground& ground, const std::string& which) {
   const auto size = size_of(ground.reference.track);
   const bool moves = size[1] * ground.scene.run.duration > 1e-9 * size[0];
-  return {moves || size[3] == 0 ? Quantity::position : Quantity::orientation, "maximum"};
+  return {moves || size[3] == 0 ? Quantity::position : Quantity::orientation, which};
 }
 
 std::string sentence(const Measure& measure, bool all) {
@@ -78,8 +78,8 @@ void stay_inside_horizon(Ground& ground, const GroundRequest& request, const GoO
   look_at(ground, request);
 }
 
-void settle_measure(Ground& ground, const std::optional<Measure>& asked) {
-  ground.measure = asked ? *asked : natural_measure(ground);
+void settle_measure(Ground& ground, const GroundRequest& request) {
+  ground.measure = request.measure.value_or(natural_measure(ground, request.which));
   const auto quantity = static_cast<std::size_t>(ground.measure.quantity);
   Result& about = ground.about;
   about.reference = ground.reference.about;
@@ -96,7 +96,7 @@ void settle_measure(Ground& ground, const std::optional<Measure>& asked) {
 bool refer(Ground& ground, std::optional<ReferenceTrack> reference, const GroundRequest& request, double share) {
   if (!reference) return false;
   ground.reference = std::move(*reference);
-  settle_measure(ground, request.measure);
+  settle_measure(ground, request);
   const auto quantity = static_cast<std::size_t>(ground.measure.quantity);
   return ground.about.floor <= 10 * share * ground.about.reference.scale[quantity];
 }

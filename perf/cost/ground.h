@@ -17,12 +17,13 @@ struct Measure {
 };
 
 struct GroundRequest {
-  std::optional<Measure> measure = {};  ///< none: what moves, positions or orientations
+  std::optional<Measure> measure = {};  ///< none: what moves, positions or orientations, of which `which`
   std::string reference = "best";       ///< "numerical": no closed form; "runs": the finest of two runs
   double seconds = 15;                  ///< for the reference, about
   std::vector<double> steps = {};       ///< that are to be compared [s]; none: the scene's
   Options options = {};
   std::vector<scenes::BodyEvent> events = {};
+  const char* which = "maximum";  ///< see Measure
 };
 
 struct Ground {

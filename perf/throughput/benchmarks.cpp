@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "perf/effects/sample.h"
 #include "perf/throughput/neighbours.h"
 #include "perf/throughput/scenes.h"
 
@@ -107,7 +108,7 @@ Comparison effect_prices(const Settings& settings) {
     for (const EffectDescription& description : effects()) {
       if (description.name == "gravity") continue;
       Scene scene = base;
-      scene.effects.push_back(sample_of(description));
+      scene.effects.push_back(sample_of(description, bodies));
       c.subjects.push_back(world_subject(description.name, scene, on_threads(1)));
     }
   }

@@ -27,21 +27,6 @@ Scene scene_of(BodyGroup group, const std::string& integrator) {
   return scene;
 }
 
-Value small_value(ParameterKind kind) {
-  constexpr double small = 1e-3;
-  const Vector3d vector(small, 2 * small, 3 * small);
-  switch (kind) {
-    case ParameterKind::vector:
-      return vector;
-    case ParameterKind::vectors:
-      return std::vector<Vector3d>{vector};
-    case ParameterKind::pairs:
-      return std::vector<IdPair>{{0, 1}};
-    default:
-      return small;
-  }
-}
-
 }  // namespace
 
 Scene falling_particles(std::size_t bodies, const std::string& integrator) {
@@ -67,14 +52,6 @@ Scene falling_spheres(std::size_t bodies) {
   group.shape = "sphere";
   group.radius = {0.05};
   return scene_of(std::move(group), "rk4");
-}
-
-Effect sample_of(const EffectDescription& description) {
-  Effect effect{.kind = description.name, .groups = {}, .parameters = {}};
-  for (const ParameterInfo& parameter : description.parameters) {
-    if (!parameter.fallback) effect.parameters[parameter.name] = small_value(parameter.kind);
-  }
-  return effect;
 }
 
 Start start_of_falling_particles(std::size_t bodies) {

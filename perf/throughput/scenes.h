@@ -17,9 +17,6 @@ Scene tumbling_bodies(std::size_t bodies);
 /// Spheres under gravity: particles, until an effect asks for their rotation.
 Scene falling_spheres(std::size_t bodies);
 
-/// The effect with its default parameters, and small values for those that have none.
-Effect sample_of(const EffectDescription& description);
-
 /// The bodies of `falling_particles` as bare columns.
 Start start_of_falling_particles(std::size_t bodies);
 

@@ -17,6 +17,7 @@ struct Arguments {
   std::optional<std::string> integrators, axis_steps, tolerances, precisions, axis_contacts,
       rotations;  ///< axes of `cost`
   std::optional<std::string> error, reference, tolerance, budget, csv, svg, html;
+  std::optional<std::string> bodies;                                                             ///< of `prices`
   std::optional<std::string> frames, max_size, with, scene, compare, still, size, colour, from;  ///< of `view`
   bool write = false;
   std::optional<std::string> json;  ///< a file; "": standard output

@@ -91,6 +91,18 @@ constexpr Option order_options[] = {
     {"--reference", "R", "best, numerical (no closed form) or runs (the two finest runs)", &Arguments::reference},
     {"--seconds", "S", "time for all measuring, about (default: 20)", &Arguments::seconds},
 };
+constexpr Option ablate_options[] = {
+    {"--tolerance", "E", "a change of at most E is worth losing an effect (default: 1 % of how far things go)",
+     &Arguments::tolerance},
+    {"--error", "E", "what is held against the full scene, see `cost` (default: position.end, or orientation.end)",
+     &Arguments::error},
+    {"--reference", "R", "of the full scene's own error: best, numerical or runs, see `cost`", &Arguments::reference},
+    {"--seconds", "S", "time for all measuring, about (default: 30)", &Arguments::seconds},
+};
+constexpr Option prices_options[] = {
+    {"--bodies", "N", "of the large scenes (default: 1000000)", &Arguments::bodies},
+    {"--seconds", "S", "time for all measuring, about (default: 60)", &Arguments::seconds},
+};
 constexpr Option cost_choices[] = {
     {"--tolerance", "E", "name the cheapest setting whose error is at most E", &Arguments::tolerance},
     {"--budget", "T", "name the most accurate setting of at most T (2ms) a simulated second", &Arguments::budget},
@@ -107,6 +119,11 @@ struct Command {
   std::span<const Option> more_options = {};
   const char* more_group = "";
 };
+
+/// Commands whose word may be left out.
+bool takes_no_word(const std::string& command) {
+  return command == "list" || command == "prices";
+}
 
 constexpr const char* scene_doc = "a scene file, or a scenario's name";
 
@@ -139,6 +156,10 @@ const Command commands[] = {
      cost_options, "What to try", cost_choices, "What to name and write"},
     {"order", "SCENE", scene_doc, "Measure the order that each integrator shows on a scene.", help::order, true,
      order_options, "Measuring"},
+    {"ablate", "SCENE", scene_doc, "Drop each effect in turn: time saved, error added.", help::ablate, true,
+     ablate_options, "Measuring"},
+    {"prices", "SCENE", "a scene file, or a scenario's name (default: none, only effects by themselves)",
+     "Measure the time that each effect adds to a step.", help::prices, true, prices_options, "Measuring"},
 };
 
 /// CLI11's help, with descriptions wrapped to the page and usage lines that name the word.
@@ -161,7 +182,7 @@ class HelpFormatter : public CLI::Formatter {
   static std::string word_of(const CLI::App* app) {
     const auto words = app->get_options([](const CLI::Option* option) { return option->get_positional(); });
     const std::string word = words.front()->get_name(true);
-    return word == "WHAT" ? "[WHAT]" : word;
+    return takes_no_word(app->get_name()) ? "[" + word + "]" : word;
   }
   static std::string entry(const std::string& name, const std::string& doc) {
     std::string text = "  " + name;
@@ -262,7 +283,7 @@ void finish(const CLI::App& program, Arguments& arguments) {
   if (const auto extras = chosen.front()->remaining(); !extras.empty()) refuse_extra(*chosen.front(), extras);
   arguments.command = chosen.front()->get_name();
   untangle_json(arguments);
-  if (!arguments.name.empty() || arguments.command == "list") return;
+  if (!arguments.name.empty() || takes_no_word(arguments.command)) return;
   const bool describe = arguments.command == "describe";
   throw UsageError(describe ? "NAME is missing: what shall be described? (`ballpark list` shows all names)"
                             : "SCENE is missing: a scene file or a scenario's name (`ballpark list scenarios`)");

@@ -18,6 +18,8 @@ Exit view_motion(const Arguments& arguments);
 Exit profile(const Arguments& arguments);
 Exit cost_of_accuracy(const Arguments& arguments);
 Exit order_of_accuracy(const Arguments& arguments);
+Exit ablate_effects(const Arguments& arguments);
+Exit prices_of_effects(const Arguments& arguments);
 
 /// What `list` can show, in order.
 const std::vector<std::string>& list_sections();

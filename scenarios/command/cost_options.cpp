@@ -144,7 +144,7 @@ double duration_of(const std::string& option, const std::string& text) {
 
 /// Copies are runs of ensembles, beyond a horizon: what is compared inside it is the scene as it is.
 void take_ensemble(const Arguments& arguments, cost::Request& request) {
-  if (arguments.command != "cost") {
+  if (arguments.command == "order") {
     if (arguments.copies) throw UsageError("--copies: order measures one copy of the scene");
     return;
   }

@@ -20,6 +20,9 @@ void add_ground(Page& page, const cost::Result& result);
 /// Statistics beyond the horizon.
 void add_ensemble(Page& page, const cost::Ensemble& ensemble);
 
+/// "1.2340 +- 0.0021 J": as many digits as the margin makes known.
+std::string mean_text(const cost::Mean& mean, const cost::Observable& observable);
+
 /// The whole command's progress, from the part that it is at.
 double overall(const std::string& what, double fraction);
 

@@ -22,7 +22,8 @@ std::string sigma_text(double sigmas) {
   return sigmas < 1000 ? fmt::format("{:.1f}", sigmas) : fmt::format("{:.0e}", sigmas);
 }
 
-/// "1.2340 +- 0.0021 J": as many digits as the margin makes known.
+}  // namespace
+
 std::string mean_text(const cost::Mean& mean, const cost::Observable& observable) {
   const std::string unit = (observable.unit.empty() ? "" : " ") + observable.unit;
   const double margin = mean.margin(), largest = std::max(std::abs(mean.value), margin);
@@ -35,6 +36,8 @@ std::string mean_text(const cost::Mean& mean, const cost::Observable& observable
   const int digits = std::max(-last, 0);
   return fmt::format("{:.{}f} +- {:.{}f}{}", mean.value, digits, margin, digits, unit);
 }
+
+namespace {
 
 void add_reference(Page& page, const Ensemble& ensemble) {
   page.fields({{"reference", fmt::format("{} ({})", text(ensemble.reference.setting), ensemble.why_reference)}});

@@ -163,4 +163,44 @@ inline constexpr const char* order =
     "shows how the error falls: by 2^p for a method of order p. Where bodies touch it\n"
     "falls slower: the table says by how much.\n";
 
+inline constexpr const char* ablate =
+    "Examples:\n"
+    "  ballpark ablate break\n"
+    "  ballpark ablate my.toml --tolerance 0.01 --json worth.json\n"
+    "\n"
+    "Runs the scene without each of its effects in turn, with the scene's own\n"
+    "integrator and step, and holds each run against that of the full scene: how far\n"
+    "the body that moved most is off at the end, the energy there (as the full scene\n"
+    "counts it), what the scene expects ([[expect]]), and when and where its events\n"
+    "are. Beside that stands the full scene's own numerical error: of paths as `cost`\n"
+    "measures it, of other numbers twice the difference to steps half as long. No\n"
+    "change below it is claimed.\n"
+    "\n"
+    "Whole runs are timed in turns, the full one thrice: how far those are apart is\n"
+    "the noise, below which no time shows. What an effect alone asked for (spin, a\n"
+    "grid) goes with it, and counts as its time.\n"
+    "\n"
+    "`keep it`: the change is larger than --tolerance, or the scene then misses what\n"
+    "it expects, or an event is gone. `it may go`: it is not, though no time shows.\n"
+    "Where runs that start almost alike part (chaos), paths are compared before that\n"
+    "horizon only, and beyond it means over ensembles decide, if there is time for\n"
+    "them (--copies, --perturb: as of `cost`).\n";
+
+inline constexpr const char* prices =
+    "Examples:\n"
+    "  ballpark prices\n"
+    "  ballpark prices curveball --seconds 10\n"
+    "\n"
+    "What each effect adds to a step of rk4, by itself: free particles (or balls, or\n"
+    "bodies with inertia, whichever the effect takes first) beside the same with the\n"
+    "effect, many of them, so that memory counts, and few that stay in cache. Times\n"
+    "are of one thread unless --threads says more, in ns a body and step, least and\n"
+    "median, in both precisions unless --precision names one. Runs with and without\n"
+    "are timed in turns, those without thrice: prices in parentheses are within their\n"
+    "noise. B and flops are what a body-step moves and computes more, as `explain`\n"
+    "counts them; a column that an effect asks for is part of its price.\n"
+    "\n"
+    "With a SCENE: its own effects alone, and what a step of the scene takes less\n"
+    "without each of them.\n";
+
 }  // namespace ballpark::command::help

@@ -21,10 +21,17 @@ Exit dispatch(const CommandLine& line) {
     return done;
   }
   using Command = Exit (*)(const Arguments&);
-  static const std::map<std::string, Command> commands{
-      {"list", list},       {"describe", describe},     {"run", run},
-      {"explain", explain}, {"check", check_scene},     {"view", view_motion},
-      {"profile", profile}, {"cost", cost_of_accuracy}, {"order", order_of_accuracy}};
+  static const std::map<std::string, Command> commands{{"list", list},
+                                                       {"describe", describe},
+                                                       {"run", run},
+                                                       {"explain", explain},
+                                                       {"check", check_scene},
+                                                       {"view", view_motion},
+                                                       {"profile", profile},
+                                                       {"cost", cost_of_accuracy},
+                                                       {"order", order_of_accuracy},
+                                                       {"ablate", ablate_effects},
+                                                       {"prices", prices_of_effects}};
   return commands.at(line.arguments.command)(line.arguments);
 }
 

@@ -35,14 +35,6 @@ std::string spin_user(const Scene& scene, const BodyGroup& group, const std::vec
   return "";
 }
 
-/// The first effect between bodies, or nullptr.
-const Effect* pair_effect_of(const Scene& scene) {
-  for (const Effect& effect : scene.effects) {
-    if (pair_effect_index(effect.kind) >= 0) return &effect;
-  }
-  return nullptr;
-}
-
 RotationRule rotation_rule(const std::string& word) {
   for (const auto rule : {RotationRule::exponential, RotationRule::splitting, RotationRule::body}) {
     if (word == name(rule)) return rule;
@@ -334,20 +326,6 @@ void Builder::choose_path() {
     world_.fused_ = true;
     world_.path_reason_ = "every effect needs only its own body: one kernel does the whole step in registers";
   }
-}
-
-/// Few bodies that only others of their copy act on, beside what is local: lanes can run over copies.
-void Builder::weave() {
-  if (world_.fused_ || world_.groups_.size() != 1 || !scene_.contact.kind.empty()) return;
-  if (world_.row_->family == Family::implicit_runge_kutta) return;
-  for (const Effect& effect : scene_.effects) {
-    const int pair = pair_effect_index(effect.kind);
-    if (pair >= 0 && !pair_effects()[static_cast<std::size_t>(pair)].weaves) return;
-  }
-  CopyRows& copies = world_.groups_[0].copies;
-  if (!pair_effect_of(scene_) || copies.per_copy > most_woven) return;
-  copies.woven = world_.copies_ / CopyRows::width * CopyRows::width;
-  if (copies.woven > 0) world_.path_reason_ += "; " + std::to_string(copies.woven) + " copies side by side in lanes";
 }
 
 World::World(const Scene& scene, const Options& options, std::vector<UserEffect> user_effects)

@@ -9,6 +9,8 @@ namespace ballpark::BALLPARK_PRECISION {
 
 /// Does contact friction turn bodies of this group?
 bool has_friction(const Scene& scene, const BodyGroup& group);
+/// The first effect between bodies, or nullptr.
+const Effect* pair_effect_of(const Scene& scene);
 /// Does an effect between bodies act on this group?
 bool has_pair_effect(const Scene& scene, const BodyGroup& group);
 /// All numbers of an effect's parameters, by name: the order in which effects of one kind are summed.
@@ -47,6 +49,7 @@ class Builder {
   void add_parts();
   void add_events();
   // build_pairs.cpp
+  void weave();
   void add_pair_systems();
   void add_pair_system(const Effect& effect);
   // build_contacts.cpp
@@ -58,7 +61,6 @@ class Builder {
   void add_walls(const std::vector<std::string>& materials);
   void add_slots(const std::vector<std::string>& materials);
   void choose_path();
-  void weave();
 
   /// A constant of the group: a value if it is equal for all bodies, else a column.
   template <int n, class F>

@@ -6,10 +6,31 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
+const Effect* pair_effect_of(const Scene& scene) {
+  for (const Effect& effect : scene.effects) {
+    if (pair_effect_index(effect.kind) >= 0) return &effect;
+  }
+  return nullptr;
+}
+
 bool has_pair_effect(const Scene& scene, const BodyGroup& group) {
   return std::any_of(scene.effects.begin(), scene.effects.end(), [&](const Effect& effect) {
     return pair_effect_index(effect.kind) >= 0 && acts_on(effect, group);
   });
+}
+
+/// Few bodies that only others of their copy act on, beside what is local: lanes can run over copies.
+void Builder::weave() {
+  if (world_.fused_ || world_.groups_.size() != 1 || !scene_.contact.kind.empty()) return;
+  if (world_.row_->family == Family::implicit_runge_kutta) return;
+  for (const Effect& effect : scene_.effects) {
+    const int pair = pair_effect_index(effect.kind);
+    if (pair >= 0 && !pair_effects()[static_cast<std::size_t>(pair)].weaves) return;
+  }
+  CopyRows& copies = world_.groups_[0].copies;
+  if (!pair_effect_of(scene_) || copies.per_copy > most_woven) return;
+  copies.woven = world_.copies_ / CopyRows::width * CopyRows::width;
+  if (copies.woven > 0) world_.path_reason_ += "; " + std::to_string(copies.woven) + " copies side by side in lanes";
 }
 
 /// In an order that does not depend on the scene's: by kind, then by parameters.

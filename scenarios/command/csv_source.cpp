@@ -49,8 +49,7 @@ class CsvSource : public FrameSource {
     const double time = frame_[0];
     read_frame();
     if (!frame_.empty() && frame_.size() != layout_.bodies * cells_) {
-      refuse(fmt::format("the frame of {} s has {} of {} bodies", frame_[0], frame_.size() / cells_,
-                         layout_.bodies));
+      refuse(fmt::format("the frame of {} s has {} of {} bodies", frame_[0], frame_.size() / cells_, layout_.bodies));
     }
     if (!frame_.empty() && frame_[0] <= time) refuse("its times do not ascend");
     return true;

@@ -172,7 +172,7 @@ class Study {
   }
 
   bool look_beyond_horizon() {
-    if (!ground_.goes_beyond_horizon()) return true;
+    if (!ground_.goes_beyond_horizon() || scenes_.empty()) return true;
     const GoOn go_on = [&] { return on("ensembles", 0.5); };
     return add_means(ground_, whole_, request_, full_.seconds, ablation_, go_on);
   }

@@ -10,10 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* word(Precision precision) {
-  return precision == Precision::single_ ? "single" : precision == Precision::double_ ? "double" : "extended";
-}
-
 Json positive(double value) {
   return value > 0 ? Json(value) : Json(nullptr);
 }
@@ -184,6 +180,10 @@ std::string quoted(std::string text) {
 }
 
 }  // namespace
+
+const char* word(Precision precision) {
+  return precision == Precision::single_ ? "single" : precision == Precision::double_ ? "double" : "extended";
+}
 
 Json to_json(const Result& result) {
   const Reference& reference = result.reference;

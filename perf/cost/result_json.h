@@ -8,6 +8,7 @@
 
 namespace ballpark::cost {
 
+const char* word(Precision precision);
 nlohmann::ordered_json to_json(const Result& result);
 std::string to_csv(const Result& result);
 

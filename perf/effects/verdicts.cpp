@@ -102,7 +102,8 @@ bool to_keep(const Ablation& ablation, const Loss& loss) {
 std::string sentence(const Ablation& ablation, const Loss& loss) {
   if (!loss.trouble.empty()) return fmt::format("{}: without it {}: keep it.", loss.label, loss.trouble);
   const std::string beyond = loss.means.empty() ? own_part(ablation, loss) : mean_part(loss);
-  const std::string verdict = loss.keep ? "keep it" : loss.time.shows() ? "drop it" : "it may go";
+  const bool saves = loss.time.shows() && loss.time.saved_of_minima() > 0;
+  const std::string verdict = loss.keep ? "keep it" : saves ? "drop it" : "it may go";
   return fmt::format("{}: {}, {}{}: {}.", loss.label, time_part(loss.time), path_part(ablation, loss), beyond, verdict);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perf/cost/result_json.h"
 #include "scenarios/command/commands.h"
 #include "scenarios/command/deliver.h"
 #include "scenarios/command/scene_options.h"
@@ -17,12 +18,9 @@ namespace {
 
 using cost::EffectPrice;
 using cost::Price;
+using cost::word;
 
 constexpr Column::Align right = Column::Align::right;
-
-const char* word(Precision precision) {
-  return precision == Precision::single_ ? "single" : precision == Precision::double_ ? "double" : "extended";
-}
 
 /// "0.31 / 0.33", least and median; in parentheses what is within noise.
 std::string price_text(const Price* price) {

@@ -252,3 +252,17 @@ force = [0.0, 1e-9, 0.0]
   CHECK_FALSE(loss_of(*ablation, 1).keep);
   CHECK(loss_of(*ablation, 1).sentence.find("changes no mean beyond the horizon") != std::string::npos);
 }
+
+TEST_CASE("ablation: what takes more time without an effect is no reason to drop it", "[ablate]") {
+  const auto said = [](double seconds) {
+    Loss loss{.kind = "wind", .label = "wind"};
+    loss.time = {{seconds, seconds, seconds, 9}, {1, 1, 1, 9}, 0.01};
+    Ablation ablation{.own_error = 1e-9, .most = 1, .losses = {loss}};
+    judge(ablation);
+    CHECK_FALSE(ablation.losses[0].keep);
+    return ablation.losses[0].sentence;
+  };
+  CHECK(said(0.9).find("drop it") != std::string::npos);
+  CHECK(said(1.1).find("it may go") != std::string::npos);
+  CHECK(said(0.999).find("it may go") != std::string::npos);
+}

@@ -38,7 +38,7 @@ Bonds::Bonds(const PairInput& input) : period_(input.period) {
   std::sort(bonds_.begin(), bonds_.end(), [&](const Bond& x, const Bond& y) { return key(x) < key(y); });
   list_ends(input.bodies);
   bound_stiffness(input.bodies);
-  forces_.resize(bonds_.size() * input.bodies.last_copy);
+  forces_.resize(bonds_.size() * input.bodies.copies.last);
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     const Bond& bond = bonds_[i % bonds_.size()];
     const std::size_t start = i / bonds_.size() * input.bodies.count;
@@ -100,7 +100,7 @@ LinkForce Bonds::force_of(std::size_t copy, const Link& link, const Vector3<Real
 }
 
 void Bonds::add_forces(const PairBodies& bodies, Workers& workers) {
-  const std::size_t first = bodies.first_copy, last = bodies.last_copy;
+  const std::size_t first = bodies.copies.first, last = bodies.copies.last;
   for_all(first * bonds_.size(), last * bonds_.size(), workers, [&](std::size_t i) {
     const Bond& bond = bonds_[i % bonds_.size()];
     const std::size_t start = i / bonds_.size() * bodies.count, a = start + bond.a, b = start + bond.b;

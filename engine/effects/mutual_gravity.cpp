@@ -22,30 +22,40 @@ MutualGravity::MutualGravity(const PairInput& input)
       count_(input.bodies.count),
       masses_(input.bodies.mass, input.bodies.mass + input.bodies.count) {}
 
+/// For bodies [first, last) of each of these copies; their slots end at `end`.
+MutualGravity::Task MutualGravity::task_of(const PairBodies& bodies, const CopyRange& range, std::size_t first,
+                                           std::size_t last, std::size_t end) const {
+  const std::size_t start = range.first * count_;
+  Task task{{{}, bodies.mass + start, count_, range.last - range.first, end - start, strength_, 0},
+            start,
+            first,
+            last,
+            range.first < bodies.woven};
+  task.of.softening_squared = softening_ * softening_;
+  for (int c = 0; c < 3; ++c) task.of.position[c] = bodies.position[c] + start;
+  return task;
+}
+
 /// A task is some whole copies, which begin with a cache line, or a part of one; so each has slots for a vector. Woven
 /// copies and those behind them are tasks apart.
 template <class Act>
 void MutualGravity::for_tasks(const PairBodies& bodies, Workers& workers, Act act) const {
   const std::size_t parts = std::max<std::size_t>(1, count_ / task_slots);  // the last one takes what is left
+  const std::size_t copies = bodies.copies.last - bodies.copies.first;
+  if (copies == 1 && parts == 1) {  // divisions would take as long as the pull of few bodies
+    return act(task_of(bodies, bodies.copies, 0, count_, bodies.end));
+  }
   const std::size_t length = parts > 1 ? 1 : woven_width * std::max<std::size_t>(1, task_slots / woven_width / count_);
-  const std::size_t copies = bodies.last_copy - bodies.first_copy;
-  const std::size_t woven = std::clamp(bodies.woven, bodies.first_copy, bodies.last_copy) - bodies.first_copy;
+  const std::size_t woven = std::clamp(bodies.woven, bodies.copies.first, bodies.copies.last) - bodies.copies.first;
   const std::size_t woven_tasks = (woven + length - 1) / length;
   const auto task = [&](std::size_t t) {
     const bool is_woven = t < woven_tasks;
     const std::size_t rest = t - woven_tasks, begin = is_woven ? t * length : woven + rest / parts * length;
     const std::size_t end = std::min(begin + length, is_woven ? woven : copies), part = is_woven ? 0 : rest % parts;
     const std::size_t first = part * task_slots, last = part + 1 < parts ? first + task_slots : count_;
-    const std::size_t start = (bodies.first_copy + begin) * count_;
-    Task of{{{}, bodies.mass + start, count_, end - begin, 0, strength_, softening_ * softening_},
-            start,
-            first,
-            last,
-            is_woven};
+    const CopyRange range{bodies.copies.first + begin, bodies.copies.first + end};
     const bool ends = end == copies && last == count_;
-    of.of.end = ends ? bodies.end - start : (end - begin - 1) * count_ + last;
-    for (int c = 0; c < 3; ++c) of.of.position[c] = bodies.position[c] + start;
-    act(of);
+    act(task_of(bodies, range, first, last, ends ? bodies.end : (range.last - 1) * count_ + last));
   };
   const bool small = copies * count_ * count_ < small_scene;
   const std::size_t tasks = woven_tasks + (copies - woven + length - 1) / length * parts;

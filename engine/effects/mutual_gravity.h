@@ -169,6 +169,8 @@ class MutualGravity : public PairEffect {
     std::size_t start, first, last;
     bool woven;
   };
+  Task task_of(const PairBodies& bodies, const CopyRange& range, std::size_t first, std::size_t last,
+               std::size_t end) const;
   template <class Act>
   void for_tasks(const PairBodies& bodies, Workers& workers, Act act) const;
 

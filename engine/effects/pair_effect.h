@@ -14,10 +14,15 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
+/// Copies [first, last) of a scene.
+struct CopyRange {
+  std::size_t first = 0, last = 1;
+};
+
 /// Bodies in columns by slot: those of copy c are [c count, (c + 1) count). These are some of the copies.
 struct PairBodies {
   std::size_t count = 0;  ///< of one copy
-  std::size_t first_copy = 0, last_copy = 1;
+  CopyRange copies;
   std::size_t woven = 0;  ///< copies [0, woven) stand body by body, see pair_kernels.h
   std::size_t end = 0;    ///< of the slots that may be touched: those of these copies, and padding if there is some
   const Real* mass = nullptr;

@@ -44,8 +44,7 @@ void PairSystem::for_ranges(const CopyRange& range, Workers& workers, Act act) c
 /// Bodies of several groups are gathered.
 PairBodies PairSystem::look(const std::vector<Group>& groups, StateColumns StepGroup::*columns, const CopyRange& range,
                             Workers& workers) {
-  PairBodies bodies{
-      .count = count_, .first_copy = range.first, .last_copy = range.last, .woven = woven_, .end = range.last * count_};
+  PairBodies bodies{.count = count_, .copies = range, .woven = woven_, .end = range.last * count_};
   if (range.last == copies_) bodies.end = padded(bodies.end);
   bodies.mass = mass_.data();
   const auto gather = [](Real* const(&from)[3], const SlotRange& slots, const AlignedArray<Real>(&to)[3]) {

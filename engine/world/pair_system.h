@@ -12,11 +12,6 @@ struct Explanation;
 
 namespace ballpark::BALLPARK_PRECISION {
 
-/// Copies [first, last) of a scene.
-struct CopyRange {
-  std::size_t first = 0, last = 1;
-};
-
 class PairSystem {
  public:
   PairSystem(const PairEffectInfo& effect_info, const std::vector<Group>& groups, std::vector<std::size_t> chosen,

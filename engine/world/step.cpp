@@ -90,8 +90,10 @@ void World::advance(double from, double h) {
   activate_windows(from, h);
   if (impulse_) return contact_substeps(from, h);
   const bool whole = h == step_, multistep = row_->family == Family::multistep;
-  if (!multistep) {
-    report_non_finite(smooth_motion(whole ? method_ : method_over(h), from));
+  if (!multistep && whole) {
+    report_non_finite(smooth_motion(method_, from));  // no copy of it: that takes as long as a pass over few bodies
+  } else if (!multistep) {
+    report_non_finite(smooth_motion(method_over(h), from));
   } else if (!whole) {
     report_non_finite(smooth_motion(method_for(*find_row(starter_name), h), from));
   } else {

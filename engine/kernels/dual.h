@@ -2,7 +2,7 @@
 // template on V gives its exact derivatives by running on this.
 #pragma once
 
-#include "engine/kernels/vector3.h"
+#include "engine/kernels/power.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -54,6 +54,12 @@ struct Dual {
     const Real root = BALLPARK_PRECISION::square_root(a.value);
     return a.scaled(root > 0 ? 1 / (2 * root) : 0, root);
   }
+  /// Likewise.
+  friend Dual power(const Dual& a, Real p) {
+    const Real raised = BALLPARK_PRECISION::power(a.value, p);
+    return a.scaled(raised > 0 ? p * raised / a.value : 0, raised);
+  }
+  friend Dual nearest_whole(const Dual& a) { return Dual(BALLPARK_PRECISION::nearest_whole(a.value)); }
 
  private:
   /// Derivatives times a factor, beside a value.

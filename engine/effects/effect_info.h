@@ -1,12 +1,16 @@
 // What an effect tells of itself. An effect is a struct in a file of engine/effects with
 //   Constants                                    its parameters as Real, packed once at build
 //   force(constants, body, loads)                adds to the loads; a template on the vector type
+//   feels_flow                                   optional: its velocity is relative to the fluid
 //   force_rate(constants, body, a, load_rates)   optional: adds the time derivative of its loads (Taylor-2)
 //   turning(constants, body)                     optional: W [1/s] of m W x v, which then is all of its force that
 //                                                reads velocity (Boris)
 //   energy(constants, body)                      optional: potential energy
 //   Constants::window                            optional: when it acts; steps are split at its ends
 //   Constants::rows                              optional: acts on one body or all
+// or in place of force
+//   flow(constants, body, time), flow_rate(...)  velocity of the fluid at a body, and its rate along the body's path
+//   added_mass(constants, row)                   what adds to the mass that resists forces
 // and, outside kernel compilations:
 //   description(), pack(input)                   catalogue entry; parameters into Constants
 //   stiffness(input)                             optional: for the stability limit of the step
@@ -33,11 +37,12 @@ struct Stiffness {
   double spring = 0;    ///< -dF/dx [N/m]; negative: it pushes away
   double damping = 0;   ///< -dF/dv along v [kg/s]
   double gyration = 0;  ///< |dF/dv| across v: the force turns the velocity of a mass m at the rate gyration / m [kg/s]
+  double turning = 0;   ///< -dT/dw along the spin w; set apart from what moves the body [N m s]
 
   bool any() const { return spring != 0 || damping != 0 || gyration != 0; }
   /// Of forces that act together: a bound, as turns about different axes are taken for turns about one.
   friend Stiffness operator+(const Stiffness& a, const Stiffness& b) {
-    return {a.spring + b.spring, a.damping + b.damping, a.gyration + b.gyration};
+    return {a.spring + b.spring, a.damping + b.damping, a.gyration + b.gyration, a.turning + b.turning};
   }
   friend Stiffness operator/(const Stiffness& a, double mass) {
     return {a.spring / mass, a.damping / mass, a.gyration / mass};
@@ -75,13 +80,20 @@ struct RowChoice {
 
 #ifndef BALLPARK_TARGET
 
+inline constexpr double four_thirds_pi = 4.1887902047863905;
+
 /// A scene's effect as its own code reads it, for one group. Parameters are checked and defaults filled in.
 struct EffectInput {
   const std::map<std::string, Value>& parameters;
-  double largest_speed = 0;  ///< of the group's bodies at the start [m/s]
+  double largest_speed = 0;  ///< of the group's bodies at the start, relative to what flows [m/s]
   /// Makes a per-body constant of the group from one row or one for each body.
   std::function<std::array<PerBody, 3>(const std::string& name, const std::vector<Vector3d>& rows)> per_body;
-  double least_mass = 0;  ///< of the group's bodies [kg]
+  double least_mass = 0;  ///< of the group's bodies; beside added mass, as much of what resists as is theirs [kg]
+  PerBody radius = {};    ///< of the bodies, for an effect that reads it [m]
+  struct Size {
+    double radius, mass;  ///< the latter with added mass
+  };
+  std::vector<Size> sizes = {};  ///< likewise, of each body, or one if all are alike
 
   Real number(const std::string& name) const { return static_cast<Real>(exact(name)); }
   double exact(const std::string& name) const { return std::get<double>(parameters.at(name)); }
@@ -108,10 +120,12 @@ struct EffectInfo {
   EffectDescription description;
   std::size_t constants_size = 0;
   void (*pack)(const EffectInput&, void* constants) = nullptr;
-  Real (*energy)(const void* constants, const Body<Real>&) = nullptr;  ///< null: has none
-  Stiffness (*stiffness)(const EffectInput&) = nullptr;                ///< null: sets no limit
-  Window* (*window)(void* constants) = nullptr;                        ///< null: always acts
-  RowChoice* (*rows)(void* constants) = nullptr;                       ///< null: acts on all rows
+  Real (*energy)(const void* constants, const Body<Real>&) = nullptr;    ///< null: has none
+  Stiffness (*stiffness)(const EffectInput&) = nullptr;                  ///< null: sets no limit
+  Window* (*window)(void* constants) = nullptr;                          ///< null: always acts
+  RowChoice* (*rows)(void* constants) = nullptr;                         ///< null: acts on all rows
+  Real (*added_mass)(const void* constants, std::size_t row) = nullptr;  ///< null: adds none
+  bool flows = false, pushes = false;                                    ///< has a flow, a force
   bool reads(const char* column) const { return contains(description.reads, column); }
   bool exerts(const char* load) const { return contains(description.exerts, load); }
 
@@ -140,6 +154,18 @@ EffectInfo effect_info() {
                 }) {
     info.description.has_force_derivative = true;
   }
+  if constexpr (requires(const Constants& c) { E::template added_mass<Real>(c, 0); }) {
+    info.added_mass = [](const void* c, std::size_t row) {
+      return E::template added_mass<Real>(*static_cast<const Constants*>(c), row);
+    };
+  }
+  info.flows = requires(const Constants& c, const Body<Real>& b) {
+    E::flow(c, b, 0.0);
+  };
+  info.pushes = requires(const Constants& c, const Body<Real>& b, Loads<Real>& l) {
+    E::force(c, b, l);
+  };
+  if (info.flows) info.description.has_force_derivative = true;
   info.description.turns_velocity = requires(const Constants& c, const Body<Real>& b) {
     E::turning(c, b);
   };

@@ -6,6 +6,7 @@
 namespace ballpark::BALLPARK_PRECISION {
 
 struct QuadraticDrag {
+  static constexpr bool feels_flow = true;
   struct Constants {
     Real coefficient;
   };

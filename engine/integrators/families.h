@@ -19,7 +19,7 @@ BALLPARK_INLINE void whole_step(const Method& m, const Constants& c, const Force
     LocalRates<M, typename S::Value> k;
     for (int p = 0; p < m.phases; ++p) {
       F::prepare(m, p, c, forces, state, k, trial);
-      evaluate<M>(forces, c, trial, k.values[p]);
+      evaluate<M>(forces, c, trial, m.offset[p], k.values[p]);
     }
     F::finish(m, c, forces, k, state);
   }

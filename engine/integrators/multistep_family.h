@@ -43,7 +43,7 @@ struct Multistep {
     const auto k = [&](int set, int i) BALLPARK_INLINE_LAMBDA { return set < m.phases ? now[set][i] : kept(set, i); };
     for (int p = 0; p < m.phases; ++p) {
       prepare(m, p, c, forces, state, k, trial);
-      evaluate<M>(forces, c, trial, now[p]);
+      evaluate<M>(forces, c, trial, m.offset[p], now[p]);
     }
     kept.write(0, now[0]);
     finish(m, c, forces, k, state);

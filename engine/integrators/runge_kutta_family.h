@@ -57,11 +57,11 @@ struct ExplicitRungeKutta {
     if (m.first_known) {
       kept.read(0, k.values[0]);
     } else {
-      evaluate<M>(forces, c, state.y, k.values[0]);
+      evaluate<M>(forces, c, state.y, m.offset[0], k.values[0]);
     }
     for (int p = 1; p < m.phases; ++p) {
       prepare(m, p, c, forces, state, k, trial);
-      evaluate<M>(forces, c, trial, k.values[p]);
+      evaluate<M>(forces, c, trial, m.offset[p], k.values[p]);
     }
     if (m.keeps_first) kept.write(0, k.values[0]);
     if (m.errors > 0) kept.write(m.last_set, k.values[m.phases - 1]);
@@ -83,7 +83,7 @@ struct ChainedRungeKutta : ExplicitRungeKutta {
     copy<S::size>(state.y, trial);
     for (int i = 0; i < S::size; ++i) sum[i] = V(Real(0));
     for (int p = 0;;) {
-      evaluate<typename S::Motion>(forces, c, trial, k);
+      evaluate<typename S::Motion>(forces, c, trial, m.offset[p], k);
       for (int i = 0; m.b[p] != 0 && i < S::size; ++i) sum[i] += V(m.b[p]) * k[i];
       if (++p == m.phases) break;
       const auto move = [&](int i) BALLPARK_INLINE_LAMBDA { trial[i] = state.y[i] + V(m.a[p][p - 1]) * k[i]; };
@@ -113,7 +113,7 @@ struct Taylor {
     using V = typename S::Value;
     const V* y = state.y;
     const Body<V> body = M::body(c, y);
-    const Loads<V> loads = forces.loads(body);
+    const Loads<V> loads = forces.loads(body, 0);
     const Acceleration<V> a = M::acceleration(c, y, body, loads);
     V rate[S::size], second[S::size], sum[S::size];
     for (int i = 0; i < S::size; ++i) rate[i] = k(0, i);

@@ -76,11 +76,13 @@ struct State {
   }
 };
 
-/// Rates of the state y under the group's forces; `forces` is any type with loads(body) and read_position.
+/// Rates of the state y under the group's forces, so long after the step's start [s]; `forces` is any type with
+/// loads(body, after) and read_position.
 template <class M, class V, class Forces>
-BALLPARK_INLINE void evaluate(const Forces& forces, const typename M::template Constants<V>& k, const V* y, V* rate) {
+BALLPARK_INLINE void evaluate(const Forces& forces, const typename M::template Constants<V>& k, const V* y,
+                              double after, V* rate) {
   const Body<V> body = M::body(k, y);
-  M::rates(k, y, body, forces.loads(body), rate);
+  M::rates(k, y, body, forces.loads(body, after), rate);
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

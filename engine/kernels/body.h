@@ -39,6 +39,7 @@ struct StateColumns {
 /// Constants of one group that motion needs.
 struct BodyConstants {
   PerBody mass;
+  PerBody effective_mass;      ///< what resists a force: with the mass of the fluid that moves along
   PerBody inverse_inertia[6];  ///< body frame: xx, yy, zz, then (pivoted bodies, about the pivot) xy, xz, yz
   PerBody arm[3];              ///< pivoted bodies: pivot to centre of mass, body frame
   PerBody pivot[3];            ///< pivoted bodies: the fixed point, world frame

@@ -80,7 +80,7 @@ struct FreeMotion {
     Constants<V> k;
     k.row = row;
     k.mass = c.mass.at<V>(row);
-    k.inverse_mass = c.mass.inverse_at<V>(row);
+    k.inverse_mass = c.effective_mass.inverse_at<V>(row);
     if constexpr (spins) {
       for (int i = 0; i < (own_axes ? 3 : 1); ++i) k.inverse_inertia[i] = c.inverse_inertia[i].at<V>(row);
     }

@@ -158,13 +158,14 @@ double World::first_step() {
 
 /// Rates at the state as it is, into set 0.
 void World::evaluate_start() {
+  set_time(time());
   if (!fused_) {
     staged_phase(whole_, method_, 0, time());
   } else {
     pass(whole_, "evaluate", [&](const Group& group, const Block& block) {
       StepGroup at_state = group.kernel;
       at_state.trial = at_state.state;
-      kernels_->evaluate[static_cast<int>(group.motion)](at_state, 0, block.first, block.last);
+      kernels_->evaluate[static_cast<int>(group.motion)](at_state, method_, 0, block.first, block.last);
     });
   }
   ++counters_.force_evaluations;

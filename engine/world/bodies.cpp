@@ -80,16 +80,33 @@ bool is_finite(const Group& group, std::size_t row) {
 
 void Group::list_instances() {
   instances.clear();
-  kernel.forces.read_position = false;
+  LocalForces& forces = kernel.forces;
+  forces.read_position = false;
+  const auto list = [&](bool EffectInfo::*does) {
+    for (std::size_t e = 0; e < effects.size(); ++e) {
+      const EffectInfo& info = local_effects()[e];
+      for (std::size_t at = 0; info.*does && at < effects[e].size(); at += info.constants_size) {
+        instances.push_back({static_cast<int>(e), effects[e].data() + at});
+        if (info.reads("position")) forces.read_position = true;
+      }
+    }
+    return instances.size();
+  };
+  const std::size_t pushing = list(&EffectInfo::pushes), all = list(&EffectInfo::flows);
+  forces.begin = instances.data();
+  forces.end = forces.flow_begin = forces.begin + pushing;
+  forces.flow_end = forces.begin + all;
+}
+
+double Group::added_mass(std::size_t row) const {
+  double sum = 0;
   for (std::size_t e = 0; e < effects.size(); ++e) {
     const EffectInfo& info = local_effects()[e];
-    for (std::size_t at = 0; at < effects[e].size(); at += info.constants_size) {
-      instances.push_back({static_cast<int>(e), effects[e].data() + at});
-      if (info.reads("position")) kernel.forces.read_position = true;
+    for (std::size_t at = 0; info.added_mass && at < effects[e].size(); at += info.constants_size) {
+      sum += static_cast<double>(info.added_mass(effects[e].data() + at, row));
     }
   }
-  kernel.forces.begin = instances.data();
-  kernel.forces.end = instances.data() + instances.size();
+  return sum;
 }
 
 World::Place World::place_of(std::size_t id) const {
@@ -188,11 +205,12 @@ void World::kick(const Place& place, const Vector3d& J, const Vector3d& offset) 
   const StateColumns& columns = group.kernel.state;
   const std::size_t row = place.row;
   const Body<Real> b = body_at(group, row);
+  const Real effective = group.kernel.constants.effective_mass.at<Real>(row);
   Vector3<Wide> lever = wide(offset);
   if (group.pivots()) {
     lever += widened(b.position - vector_at<Real>(group.kernel.constants.pivot, row));
   } else {
-    write(columns.velocity, row, widened(b.velocity) + (1 / static_cast<Wide>(b.mass)) * wide(J));
+    write(columns.velocity, row, widened(b.velocity) + (1 / static_cast<Wide>(effective)) * wide(J));
   }
   if (group.spins()) {
     Vector3<Wide> change = cross(lever, wide(J));

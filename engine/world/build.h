@@ -34,8 +34,10 @@ class Builder {
   void fill_state(Group& group);
   void fill_row(Group& group, std::size_t row, const Start& start);
   void repeat_last_row(Group& group);
+  // build_effects.cpp
   void add_effects(Group& group);
-  double lightest(const Group& group) const;
+  void add_effective_mass(Group& group);
+  void add_stiffness(Group& group, const std::vector<Effect>& effects);
   void check_stability();
   void check_stability(const std::string& whose, const Stiffness& per_mass);
   void add_carry(Group& group);
@@ -71,6 +73,28 @@ class Builder {
   const Options& options_;
   std::vector<Problem> problems_;
   std::vector<std::pair<const Group*, Stiffness>> local_stiffness_;  ///< per mass [1/s^2, 1/s], of each group
+  std::vector<std::pair<const Group*, double>> spin_damping_;        ///< of a group's spin, over its least moment [1/s]
 };
+
+template <int n, class F>
+void Builder::constant(Group& group, const char* name, const char* unit, PerBody (&out)[n], const char* why,
+                       F values_of_body) {
+  if (group.copies.per_copy == 0) return;
+  const std::array<Wide, n> first = values_of_body(std::size_t{0});
+  bool equal = true;
+  for (std::size_t i = 1; i < group.live && equal; ++i) equal = values_of_body(i) == first;
+  if (equal) {
+    for (int c = 0; c < n; ++c) out[c].value = static_cast<Real>(first[static_cast<std::size_t>(c)]);
+    return;
+  }
+  const std::size_t rows = padded(group.live);
+  Column& column = world_.columns_.add({name, unit, n, Role::constant, why}, group.first_row, rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::array<Wide, n> values = values_of_body(std::min(row, group.live - 1));
+    for (int c = 0; c < n; ++c)
+      *column.at(c, group.first_row + row) = static_cast<Real>(values[static_cast<std::size_t>(c)]);
+  }
+  for (int c = 0; c < n; ++c) out[c].rows = column.at(c, group.first_row);
+}
 
 }  // namespace ballpark::BALLPARK_PRECISION

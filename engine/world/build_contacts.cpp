@@ -195,7 +195,7 @@ void Builder::add_slots(const std::vector<std::string>& materials) {
       const std::size_t i = (range.first_row + k) % group.copies.per_copy, slot = range.first_slot + k;
       const double radius = row_or(body.radius, i, 0.0), moment = inertia_of(body, i).x();
       bodies.radius[slot] = static_cast<Real>(radius);
-      bodies.inverse_mass[slot] = static_cast<Real>(1 / mass_of(body, i));
+      bodies.inverse_mass[slot] = static_cast<Real>(1 / (mass_of(body, i) + group.added_mass(range.first_row + k)));
       bodies.mobility[slot] = spins ? static_cast<Real>(radius * radius / moment) : Real(0);
       bodies.material[slot] = material;
     }

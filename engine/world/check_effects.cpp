@@ -143,6 +143,7 @@ struct EffectCheck {
     for (const BodyGroup& group : scene.bodies) {
       if (!acts_on(effect, group)) continue;
       check_rotation(description, parameters, group);
+      check_size(description, group);
       for (const ParameterInfo& info : description.parameters) {
         if (info.kind != ParameterKind::vectors) continue;
         const std::size_t rows = std::get<std::vector<Vector3d>>(parameters.at(info.name)).size();
@@ -212,6 +213,19 @@ struct EffectCheck {
       problems.add(path("point"),
                    fmt::format("is where particle {} of group {} is, expected a point beside it", i, group.name));
       return;
+    }
+  }
+
+  void check_size(const EffectDescription& description, const BodyGroup& group) {
+    const auto& reads = description.reads;
+    if (std::find(reads.begin(), reads.end(), "radius") != reads.end() && group.radius.empty()) {
+      problems.add(path("groups"),
+                   fmt::format("{} needs the radius of the bodies, but group {} gives none: expected bodies.radius",
+                               description.name, group.name));
+    }
+    if (description.name == "added_mass" && pivot_of(scene, group)) {
+      problems.add(path("groups"), "group " + group.name +
+                                       " turns about a pivot, where added_mass does not act: expected other groups");
     }
   }
 

@@ -142,6 +142,10 @@ void check_integrator(const Scene& scene, Problems& problems) {
       refuse("taylor2 needs the time derivative of every force, which " + effect.kind +
              " does not give; expected another integrator, e.g. midpoint");
     }
+    if (row.turns_velocity && effect.kind == "added_mass") {
+      refuse(row.name +
+             " turns velocities by a body's own mass, to which added_mass adds; expected another integrator, e.g. rk4");
+    }
     const bool turned = row.turns_velocity && description->turns_velocity;
     if (blind(row) && !turned && reads_velocity(effect, *description)) refuse(needs_blind_forces(row, effect.kind));
     for (const BodyGroup& group : scene.bodies) {

@@ -27,7 +27,9 @@ GroupReport report(const Group& group, std::size_t index, const std::vector<Pair
     if (system.acts_on(index)) r.effects.push_back(system.name());
   }
   for (const std::size_t u : group.users) r.effects.push_back(users[u].name);
-  const auto unit = [](const std::string& key) { return key == "mass" ? " kg" : key == "radius" ? " m" : " kg/m^3"; };
+  const auto unit = [](const std::string& key) {
+    return key == "radius" ? " m" : key == "density" ? " kg/m^3" : " kg";
+  };
   for (const auto& [key, value] : group.constants) r.constants.push_back(key + " = " + text(value) + unit(key));
   return r;
 }

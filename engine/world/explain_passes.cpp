@@ -1,4 +1,5 @@
 // What the passes of smooth motion read, write and cost.
+#include <algorithm>
 #include <cmath>
 
 #include "engine/world/explain_passes.h"
@@ -95,6 +96,12 @@ struct PassWriter {
     }
     return sum;
   }
+  /// Added mass needs it at build only.
+  bool pushed_by_radius() const {
+    return std::any_of(group.instances.begin(), group.instances.end(), [](const EffectInstance& instance) {
+      return local_effects()[static_cast<std::size_t>(instance.effect)].reads("radius");
+    });
+  }
   /// Constant columns that a pass reads, by name, and their values for one body.
   std::vector<std::string> constant_names(int& values) const {
     std::vector<std::string> names;
@@ -102,6 +109,7 @@ struct PassWriter {
     for (const Column& column : columns.all()) {
       if (column.info.role != Role::constant || !column.covers(group.first_row)) continue;
       if (column.info.name == "inverse_inertia" && group.motion == MotionKind::point) continue;
+      if (column.info.name == "radius" && !pushed_by_radius()) continue;
       names.push_back(column.info.name);
       values += column.info.components;
     }

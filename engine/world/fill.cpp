@@ -6,62 +6,6 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-std::vector<double> numbers_of(const Effect& effect) {
-  std::vector<double> numbers;
-  for (const auto& [name, value] : complete_parameters(effect, *find_effect(effect.kind))) {
-    if (const auto* number = std::get_if<double>(&value)) numbers.push_back(*number);
-    if (const auto* vector = std::get_if<Vector3d>(&value))
-      numbers.insert(numbers.end(), vector->data(), vector->data() + 3);
-    if (const auto* rows = std::get_if<std::vector<Vector3d>>(&value)) {
-      for (const Vector3d& row : *rows) numbers.insert(numbers.end(), row.data(), row.data() + 3);
-    }
-    if (const auto* word = std::get_if<std::string>(&value)) numbers.insert(numbers.end(), word->begin(), word->end());
-    if (const auto* list = std::get_if<std::vector<double>>(&value)) {
-      numbers.insert(numbers.end(), list->begin(), list->end());
-    }
-    if (const auto* pairs = std::get_if<std::vector<IdPair>>(&value)) {
-      for (const IdPair& pair : *pairs) numbers.insert(numbers.end(), pair.begin(), pair.end());
-    }
-  }
-  return numbers;
-}
-
-namespace {
-
-/// The effects on a group in an order that does not depend on the scene's.
-std::vector<Effect> sorted_effects(const Scene& scene, const BodyGroup& body) {
-  std::vector<Effect> effects;
-  for (const Effect& effect : scene.effects) {
-    if (acts_on(effect, body)) effects.push_back(effect);
-  }
-  std::stable_sort(effects.begin(), effects.end(),
-                   [](const Effect& a, const Effect& b) { return numbers_of(a) < numbers_of(b); });
-  return effects;
-}
-
-}  // namespace
-
-template <int n, class F>
-void Builder::constant(Group& group, const char* name, const char* unit, PerBody (&out)[n], const char* why,
-                       F values_of_body) {
-  if (group.copies.per_copy == 0) return;
-  const std::array<Wide, n> first = values_of_body(std::size_t{0});
-  bool equal = true;
-  for (std::size_t i = 1; i < group.live && equal; ++i) equal = values_of_body(i) == first;
-  if (equal) {
-    for (int c = 0; c < n; ++c) out[c].value = static_cast<Real>(first[static_cast<std::size_t>(c)]);
-    return;
-  }
-  const std::size_t rows = padded(group.live);
-  Column& column = world_.columns_.add({name, unit, n, Role::constant, why}, group.first_row, rows);
-  for (std::size_t row = 0; row < rows; ++row) {
-    const std::array<Wide, n> values = values_of_body(std::min(row, group.live - 1));
-    for (int c = 0; c < n; ++c)
-      *column.at(c, group.first_row + row) = static_cast<Real>(values[static_cast<std::size_t>(c)]);
-  }
-  for (int c = 0; c < n; ++c) out[c].rows = column.at(c, group.first_row);
-}
-
 void Builder::fill_constants(Group& group) {
   const BodyGroup& body = scene_.bodies[group.scene_index];
   BodyConstants& k = group.kernel.constants;
@@ -75,7 +19,7 @@ void Builder::fill_constants(Group& group) {
   PerBody mass[1];
   constant(group, "mass", "kg", mass, "differs between bodies",
            [&](std::size_t row) { return std::array<Wide, 1>{static_cast<Wide>(mass_of(body, index(row)))}; });
-  k.mass = mass[0];
+  k.mass = k.effective_mass = mass[0];
   if (!k.mass.rows) group.constants.emplace_back("mass", mass_of(body, 0));
   remember("radius", body.radius, row_or(body.radius, 0, 0.0));
   remember("density", body.density, row_or(body.density, 0, 0.0));
@@ -164,41 +108,6 @@ void Builder::repeat_last_row(Group& group) {
       std::fill(values + group.live, values + padded(group.live), values[group.live - 1]);
     }
   }
-}
-
-void Builder::add_effects(Group& group) {
-  const BodyGroup& body = scene_.bodies[group.scene_index];
-  double speed = 0;
-  for (std::size_t row = 0; row < group.live; ++row) {
-    const Vector3<Real> v = {group.kernel.state.velocity[0][row], group.kernel.state.velocity[1][row],
-                             group.kernel.state.velocity[2][row]};
-    speed = std::max(speed, static_cast<double>(dot(v, v)));
-  }
-  const double mass = group.live > 0 ? lightest(group) : 0;
-  Stiffness sum;
-  for (const Effect& effect : sorted_effects(scene_, body)) {
-    const int index = local_effect_index(effect.kind);
-    if (index < 0 || group.live == 0) continue;
-    const EffectInfo& info = local_effects()[static_cast<std::size_t>(index)];
-    const auto parameters = complete_parameters(effect, info.description);
-    const auto per_body = [&](const std::string& name, const std::vector<Vector3d>& rows) {
-      PerBody out[3];
-      constant(group, (effect.kind + "." + name).c_str(), "m", out, effect.kind.c_str(), [&](std::size_t row) {
-        const Vector3d v = row_or(rows, group.copies.index_of(row), Vector3d(0, 0, 0));
-        return std::array<Wide, 3>{v.x(), v.y(), v.z()};
-      });
-      return std::array<PerBody, 3>{out[0], out[1], out[2]};
-    };
-    const EffectInput input{parameters, std::sqrt(speed), per_body, mass};
-    std::vector<std::byte>& instances = group.effects[static_cast<std::size_t>(index)];
-    instances.resize(instances.size() + info.constants_size);
-    info.pack(input, instances.data() + instances.size() - info.constants_size);
-    if (info.stiffness) sum = sum + info.stiffness(input);
-  }
-  group.list_instances();
-  group.kernel.forces.turning_apart = world_.row_->turns_velocity;
-  if (group.live == 0 || group.pivots()) return;
-  local_stiffness_.push_back({&group, sum / mass});
 }
 
 /// Compensated summation: a carry for each value that the motion integrates.

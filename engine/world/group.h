@@ -61,6 +61,8 @@ struct Group {
   std::vector<Real*> carry;         ///< compensated summation: what kernel.carry points to
   std::vector<Real*> carry_before;  ///< adaptive: as it was when the step began
 
+  /// What adds to the mass of a row's body [kg].
+  double added_mass(std::size_t row) const;
   bool turns() const { return carried >= MotionKind::oriented; }
   bool spins() const { return carried != MotionKind::point; }
   bool pivots() const { return carried == MotionKind::pivoted; }

@@ -33,7 +33,7 @@ struct Moved {
 /// Rows [first, last), first a multiple of any vector; what is left of the last vector is padding.
 using FusedStep = Moved(const StepGroup&, const Method&, std::size_t first, std::size_t last);
 using Prepare = void(const StepGroup&, const Method&, int phase, std::size_t first, std::size_t last);
-using Evaluate = void(const StepGroup&, int phase, std::size_t first, std::size_t last);
+using Evaluate = void(const StepGroup&, const Method&, int phase, std::size_t first, std::size_t last);
 using Finish = Moved(const StepGroup&, const Method&, std::size_t first, std::size_t last);
 
 /// One family's kernels, by motion.

@@ -115,12 +115,13 @@ static void prepare_pass(const StepGroup& group, const Method& method, int phase
 }
 
 template <class M, class V>
-static void evaluate_pass(const StepGroup& group, int phase, std::size_t first, std::size_t last) {
+static void evaluate_pass(const StepGroup& group, const Method& method, int phase, std::size_t first,
+                          std::size_t last) {
   for (std::size_t row = first; row < last; row += lane_count<V>) {
     const auto c = M::template constants<V>(group.constants, row);
     V trial[M::size], rate[M::size];
     M::load(group.trial, row, trial);
-    evaluate<M>(group.forces, c, trial, rate);
+    evaluate<M>(group.forces, c, trial, method.offset[phase], rate);
     for (int i = 0; i < M::size; ++i) store(group.rates[phase * M::size + i] + row, rate[i]);
   }
 }

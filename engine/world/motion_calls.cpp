@@ -10,13 +10,14 @@ namespace {
 
 /// The motion's and the effects' own code, run on duals: by state, then (if pulled) by pull.
 template <class M, bool pulled>
-void differentiate(const StepGroup& group, std::size_t row, const Real* y, const Vector3<Real>& pull, BodyRates& out) {
+void differentiate(const StepGroup& group, std::size_t row, const Real* y, double after, const Vector3<Real>& pull,
+                   BodyRates& out) {
   using V = Dual<M::size + (pulled ? 3 : 0)>;
   V state[M::size], rate[M::size];
   for (int i = 0; i < M::size; ++i) state[i] = V::variable(y[i], i);
   const auto c = M::template constants<V>(group.constants, row);
   const Body<V> body = M::body(c, state);
-  Loads<V> loads = group.forces.loads(body);
+  Loads<V> loads = group.forces.loads(body, after);
   if constexpr (pulled) {
     loads.force += {V::variable(pull.x, M::size), V::variable(pull.y, M::size + 1), V::variable(pull.z, M::size + 2)};
     V place[6];
@@ -51,8 +52,8 @@ struct Calls {
     put(place + 3, body.velocity);
   }
 
-  static void rates(const StepGroup& group, std::size_t row, const Real* y, BodyRates& out) {
-    differentiate<M, false>(group, row, y, {}, out);
+  static void rates(const StepGroup& group, std::size_t row, const Real* y, double after, BodyRates& out) {
+    differentiate<M, false>(group, row, y, after, {}, out);
   }
 
   static bool move(const StepGroup& group, std::size_t row, const Real* change) {

@@ -21,8 +21,10 @@ struct MotionCalls {
   void (*units)(const StepGroup&, std::size_t row, Real h, Real* unit);
   /// Position and velocity.
   void (*place)(const StepGroup&, std::size_t row, const Real* y, Real (&place)[6]);
-  void (*rates)(const StepGroup&, std::size_t row, const Real* y, BodyRates& out);
-  void (*pulled_rates)(const StepGroup&, std::size_t row, const Real* y, const Vector3<Real>& pull, BodyRates& out);
+  /// So long after the step's start [s].
+  void (*rates)(const StepGroup&, std::size_t row, const Real* y, double after, BodyRates& out);
+  void (*pulled_rates)(const StepGroup&, std::size_t row, const Real* y, double after, const Vector3<Real>& pull,
+                       BodyRates& out);
   /// The state changed, normalised and stored. Is it finite (and not so large that its sum overflows)?
   bool (*move)(const StepGroup&, std::size_t row, const Real* change);
 };

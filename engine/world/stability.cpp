@@ -26,7 +26,7 @@ struct OscillatorForces {
   bool turning_apart = false;  ///< as in LocalForces
   static constexpr bool read_position = true;
   template <class V>
-  Loads<V> loads(const Body<V>& b) const {
+  Loads<V> loads(const Body<V>& b, double) const {
     const Vector3<V> rest = V(-spring) * b.position - V(damping) * b.velocity;
     return {turning_apart ? rest : rest - turned(b.velocity), {}};
   }
@@ -55,7 +55,7 @@ struct Oscillator {
   Oscillator(const Method& m, double spring, double damping, double gyration)
       : forces{static_cast<Real>(spring), static_cast<Real>(damping), static_cast<Real>(gyration), m.turns_velocity} {
     BodyConstants unit_mass;
-    unit_mass.mass.value = 1;
+    unit_mass.mass.value = unit_mass.effective_mass.value = 1;
     constants = Point::constants<Real>(unit_mass, 0);
   }
   /// (x, v) at n, n - 1, ...
@@ -69,7 +69,7 @@ struct Oscillator {
     for (std::size_t i = 0; i < rates.size(); ++i) columns[i] = &rates[i];
     for (int j = 1; j <= m.history; ++j) {
       const State<Point, Real> earlier = at(past[static_cast<std::size_t>(j)]);
-      evaluate<Point>(forces, constants, earlier.y, rates.data() + (m.history_begin + j - 1) * Point::size);
+      evaluate<Point>(forces, constants, earlier.y, 0, rates.data() + (m.history_begin + j - 1) * Point::size);
     }
     const ColumnRates<Point, Real> kept{columns.data(), 0};
     State<Point, Real> state = at(past[0]);
@@ -264,6 +264,8 @@ bool estimates_at_end(std::string_view integrator) {
 void Builder::check_stability() {
   if (world_.adaptive_) return;  // the tolerance keeps steps small enough
   for (const auto& [group, per_mass] : local_stiffness_) check_stability("group " + group->name, per_mass);
+  for (const auto& [group, rate] : spin_damping_)
+    check_stability("the spin of group " + group->name, {.damping = rate});
   Stiffness all;  // bonds pull beside each other and beside what holds their bodies in place
   std::string names;
   for (const PairSystem& system : world_.pair_systems_) {
@@ -278,15 +280,6 @@ void Builder::check_stability() {
     names += (names.empty() ? "" : ", ") + std::string(system.name());
   }
   if (!names.empty()) check_stability(names, all);
-}
-
-double Builder::lightest(const Group& group) const {
-  const BodyGroup& body = scene_.bodies[group.scene_index];
-  double mass = mass_of(body, 0);
-  for (std::size_t i = 1; i < std::max(body.mass.size(), std::max(body.radius.size(), body.density.size())); ++i) {
-    mass = std::min(mass, mass_of(body, i));
-  }
-  return mass;
 }
 
 /// A step beyond the limit is said, never silent. A method that grows at every step is reported when the growth over

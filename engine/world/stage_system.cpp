@@ -134,7 +134,7 @@ void StageSystem::stage_of(const StageBody& body, int stage, Real* y) const {
 
 /// One iteration: the change of the stages over their scale.
 Real StageSystem::improve(const Method& method) {
-  for (int j = 0; j < stages_; ++j) find_rates(j);
+  for (int j = 0; j < stages_; ++j) find_rates(j, method.offset[j]);
   assemble(method);
   find_right_side(method);
   const auto finite = [](Real value) { return std::isfinite(value); };
@@ -148,15 +148,15 @@ Real StageSystem::improve(const Method& method) {
   return change_stages();
 }
 
-void StageSystem::find_rates(int stage) {
+void StageSystem::find_rates(int stage, double after) {
   if (!bonds_.empty()) pull_at(stage);
   for (StageBody& body : bodies_) {
     Real y[max_state_size];
     stage_of(body, stage, y);
     if (bonds_.empty()) {
-      body.calls->rates(*body.group, body.member.row, y, body.at[stage]);
+      body.calls->rates(*body.group, body.member.row, y, after, body.at[stage]);
     } else {
-      body.calls->pulled_rates(*body.group, body.member.row, y, body.pull, body.at[stage]);
+      body.calls->pulled_rates(*body.group, body.member.row, y, after, body.pull, body.at[stage]);
     }
   }
 }

@@ -72,7 +72,7 @@ class StageSystem {
   void arrange(const std::vector<Group>& groups);
   void begin_step(const std::vector<Group>& groups, const Method& method);
   Real improve(const Method& method);
-  void find_rates(int stage);
+  void find_rates(int stage, double after);
   void pull_at(int stage);
   void assemble(const Method& method);
   void add_bond(const Method& method, const StageBond& bond);

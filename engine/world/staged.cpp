@@ -46,7 +46,7 @@ void World::staged_phase(const Part& part, const Method& method, int phase, doub
   });
   sum_forces(part, method, phase, from + method.offset[phase]);
   pass(part, "evaluate", [&](const Group& group, const Block& block) {
-    kernels_->evaluate[static_cast<int>(group.motion)](group.kernel, phase, block.first, block.last);
+    kernels_->evaluate[static_cast<int>(group.motion)](group.kernel, method, phase, block.first, block.last);
   });
 }
 

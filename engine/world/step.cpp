@@ -39,6 +39,7 @@ void World::run(std::uint64_t most_steps, double until) {
 int World::steps_at_once(std::uint64_t most) const {
   if (!fused_ || impulse_ || implicit_ || profiling_ || whole_.blocks.size() != 1) return 1;
   if (row_->family == Family::multistep) return 1;
+  if (std::any_of(groups_.begin(), groups_.end(), [](const Group& g) { return g.kernel.forces.flows(); })) return 1;
   constexpr std::uint64_t longest = 256;
   double free = static_cast<double>(std::min(most, longest));
   if (next_event_ < events_.size()) free = std::min(free, (events_[next_event_].at - time()) / step_ - on_the_step);
@@ -105,6 +106,7 @@ void World::advance(double from, double h) {
 }
 
 Moved World::smooth_motion(const Method& method, double from) {
+  set_time(from);
   if (implicit_) return implicit_step(method);
   if (fixed_point_) return fixed_point_step(method, from);
   counters_.force_evaluations += static_cast<std::uint64_t>(method.phases - method.first_known);
@@ -158,6 +160,11 @@ void World::activate_windows(double from, double h) {
       }
     }
   }
+}
+
+/// Of the next step's start, for what flows.
+void World::set_time(double from) {
+  for (Group& group : groups_) group.kernel.forces.start = from;
 }
 
 const FamilyKernels& World::kernels_of(const Group& group, const Method& method) const {

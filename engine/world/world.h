@@ -88,6 +88,7 @@ class World : public WorldInterface {
   Stiffness beside_contacts() const;
   StepLimit limit_of(const Stiffness& per_mass) const;
   void activate_windows(double from, double h);
+  void set_time(double from);
   const FamilyKernels& kernels_of(const Group& group, const Method& method) const;
   Moved fused_pass(const Method& method, int steps);
   template <class Action>

@@ -31,7 +31,7 @@ struct EffectDescription {
   std::string source;
   std::vector<ParameterInfo> parameters;
   std::vector<std::string> reads;   ///< columns beside mass that the force needs
-  std::vector<std::string> exerts;  ///< "force", "torque", "constraint"
+  std::vector<std::string> exerts;  ///< "force", "torque", "constraint", "flow" of a fluid, "inertia"
   bool has_energy = false;
   bool has_force_derivative = false;  ///< usable with taylor2
   bool turns_velocity = false;        ///< reads velocity only to turn it, at a rate that it tells: usable with boris

@@ -93,6 +93,26 @@ TEST_CASE("Copies: woven ones, beside those that fill no vector", "[bits]") {
   }
 }
 
+TEST_CASE("Copies: woven ones of all sizes, in a fluid that flows", "[bits]") {
+  Scene scene = attracted(7, 0.1);
+  for (int i = 0; i < 7; ++i) scene.bodies[0].radius.push_back(0.3 - 0.03 * i);
+  const Vector3d breeze(3, -1, 0.5);
+  for (const Effect& made :
+       {effect("buoyancy", {{"density", 500.0}}), effect("added_mass", {{"density", 500.0}}),
+        effect("reynolds_drag", {{"density", 500.0}, {"viscosity", 0.1}}), effect("wind", {{"velocity", breeze}}),
+        effect("gusts", {{"speed", 0.5}, {"velocity", breeze}})}) {
+    scene.effects.push_back(made);
+  }
+  for (const Precision precision : {Precision::double_, Precision::single_}) {
+    check_copies(scene, {.threads = 2, .precision = precision, .copies = 19, .perturb = 1e-2}, 20);
+  }
+  scene.run.step = 100;  // beyond the limit of drag, which the smallest body sets
+  scene.run.duration = 1000;
+  const ballpark::Status alone = World(scene).status();
+  CHECK(alone.code == ballpark::Status::Code::stability);
+  CHECK(World(scene, {.copies = 19}).status().sentence == alone.sentence);
+}
+
 TEST_CASE("Copies: what is told of woven ones, and done to them, is that of each alone", "[bits]") {
   const Scene scene = attracted(7, 0);
   World batch(scene, {.copies = 19, .perturb = 1e-2});

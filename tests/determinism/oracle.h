@@ -79,9 +79,11 @@ class RandomGroup {
     for (PerBody& pivot : kernel.constants.pivot) pivot.value = numbers_.plain();
     for (PerBody& axis : kernel.constants.principal) axis.rows = add(&Numbers::plain);
     kernel.constants.mass.rows = add(&Numbers::positive);
+    kernel.constants.effective_mass.rows = add(&Numbers::positive);
     kernel.rates = rates_;
     if (compensated) kernel.carry = carry_;
     add_effects(LocalEffects{});
+    if (seed % 2 == 0) add_flows(4);  // wind and gusts come last
   }
   RandomGroup(const RandomGroup&) = delete;
   RandomGroup& operator=(const RandomGroup&) = delete;
@@ -106,6 +108,13 @@ class RandomGroup {
     kernel.forces.begin = instances_.data();
     kernel.forces.end = instances_.data() + instances_.size();
   }
+
+  /// What flows is in the list too, where it pushes nothing.
+  void add_flows(std::size_t count) {
+    kernel.forces.flow_end = instances_.data() + instances_.size();
+    kernel.forces.flow_begin = kernel.forces.flow_end - count;
+    kernel.forces.start = 0.37;
+  }
   /// Two instances: one for all rows, one for a single row where the effect can choose; anchors for each body.
   template <class E>
   void add_instances(int effect) {
@@ -115,6 +124,7 @@ class RandomGroup {
       Constants c = random_constants<Constants>();
       if constexpr (requires { c.rows; }) c.rows.row = i == 0 ? -1 : 21;
       if constexpr (requires { c.centrifugal; }) c.centrifugal = i == 0;
+      if constexpr (requires { c.radius; }) c.radius.rows = add(&Numbers::positive);
       if constexpr (requires { c.anchor; }) {
         for (PerBody& anchor : c.anchor) anchor.rows = add(&Numbers::plain);
         c.rest_length = i == 0 ? Real(0) : Real(0.5);
@@ -128,8 +138,17 @@ class RandomGroup {
   Constants random_constants() {
     Constants c{};
     if constexpr (requires { c.acceleration; }) c.acceleration = vector();
+    if constexpr (requires { c.reynolds; }) c.reynolds = 100 * numbers_.positive(), c.stokes = numbers_.positive();
+    if constexpr (requires { c.lift; }) c.lift = vector();
+    if constexpr (requires { c.shear; }) c.velocity = vector(), c.shear = vector(), c.height = numbers_.plain();
+    if constexpr (requires { c.waves; }) {
+      for (auto& w : c.waves) {
+        w = {vector(), vector(), static_cast<double>(numbers_.plain()), static_cast<double>(numbers_.plain())};
+      }
+    }
     if constexpr (requires { c.coefficient; }) c.coefficient = numbers_.positive();
-    if constexpr (requires { c.stiffness; }) c.stiffness = numbers_.positive();
+    if constexpr (requires { c.anchor; }) c.stiffness = numbers_.positive();
+    if constexpr (requires { c.stiffness.x; }) c.stiffness = vector();
     if constexpr (requires { c.damping; }) c.damping = numbers_.positive();
     if constexpr (requires { c.centre; }) c.centre = vector();
     if constexpr (requires { c.strength; }) c.strength = numbers_.positive();
@@ -168,7 +187,7 @@ inline Moved step(const KernelTable& table, const Method& method, int motion, bo
   if (fused) return kernels.fused[motion](group, method, 0, rows);
   for (int phase = 0; phase < method.phases; ++phase) {
     kernels.prepare[motion](group, method, phase, 0, rows);
-    table.evaluate[motion](group, phase, 0, rows);
+    table.evaluate[motion](group, method, phase, 0, rows);
   }
   return kernels.finish[motion](group, method, 0, rows);
 }

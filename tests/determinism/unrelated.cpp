@@ -17,8 +17,12 @@ World stepped(const Scene& scene, const Options& options = {}) {
 }
 
 std::vector<Effect> plain_effects() {
-  return {effect("gravity"), effect("linear_drag", {{"coefficient", 0.2}}),
-          effect("spring", {{"anchor", Vector3d(1, 1, 1)}, {"stiffness", 3.0}, {"rest_length", 0.5}})};
+  return {effect("gravity"),
+          effect("linear_drag", {{"coefficient", 0.2}}),
+          effect("spring", {{"anchor", Vector3d(1, 1, 1)}, {"stiffness", 3.0}, {"rest_length", 0.5}}),
+          effect("harmonic_trap", {{"stiffness", Vector3d(0.1, 0.7, 0.3)}}),
+          effect("wind", {{"velocity", Vector3d(0.1, 0.7, 0.3)}, {"shear", Vector3d(0.3, 0.1, 0)}}),
+          effect("gusts", {{"speed", 0.7}, {"velocity", Vector3d(0.1, 0.7, 0.3)}})};
 }
 
 }  // namespace
@@ -84,6 +88,25 @@ TEST_CASE("Unrelated: the order in which effects of different kinds are listed",
   }
   std::reverse(effects.begin(), effects.end());
   CHECK(stepped(scene_of({bricks("b", 9)}, effects)).state_hash() == expected);
+}
+
+TEST_CASE("Unrelated: balls of other sizes in the same fluid", "[bits]") {
+  const std::vector<Effect> fluid = {
+      effect("gravity"), effect("buoyancy", {{"density", 998.0}}), effect("added_mass", {{"density", 998.0}}),
+      effect("reynolds_drag", {{"density", 998.0}, {"viscosity", 1e-3}}), effect("spin_decay", {{"coefficient", 0.1}})};
+  BodyGroup group = spinning(balls("b", 9));
+  group.radius.assign(9, 0.1);
+  for (const std::string integrator : {"rk4", "velocity_verlet", "gauss4"}) {
+    const auto after = [&](const BodyGroup& made) {
+      return stepped(ballpark::tests::run_by(scene_of({made}, fluid), integrator));
+    };
+    BodyGroup different = group;
+    different.radius[8] = 0.2;
+    const World one = after(group), column = after(different);
+    CAPTURE(integrator);
+    CHECK((body_bits::of(one, 0, 8) == body_bits::of(column, 0, 8)));
+    CHECK((body_bits::of(one, 8) != body_bits::of(column, 8)));
+  }
 }
 
 TEST_CASE("Unrelated: the order of several effects of one kind", "[bits]") {

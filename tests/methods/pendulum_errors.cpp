@@ -73,7 +73,9 @@ double error_at_10(const std::string& integrator, int n) {
 
 /// The same force as the engine's families see one, with its derivative: user effects have none.
 struct SineForces {
-  f64::Loads<double> loads(const f64::Body<double>& b) const { return {{-9.81 * maths::sin(b.position.x), 0, 0}, {}}; }
+  f64::Loads<double> loads(const f64::Body<double>& b, double) const {
+    return {{-9.81 * maths::sin(b.position.x), 0, 0}, {}};
+  }
   f64::Loads<double> load_rates(const f64::Body<double>& b, const f64::Acceleration<double>&) const {
     return {{-9.81 * maths::cos(b.position.x) * b.velocity.x, 0, 0}, {}};
   }
@@ -83,7 +85,7 @@ double taylor_error_at_10(int n) {
   using Point = f64::FreeMotion<f64::Spin::none>;
   const f64::Method method = f64::method_for(*f64::find_row("taylor2"), duration / n);
   f64::BodyConstants constants;
-  constants.mass.value = 1;
+  constants.mass.value = constants.effective_mass.value = 1;
   const auto c = Point::constants<double>(constants, 0);
   f64::State<Point, double> state{};
   state.y[0] = pi / 2;

@@ -47,7 +47,7 @@ Effect on_bricks(const ballpark::EffectDescription& description) {
 
 TEST_CASE("Bad effects: every parameter of every effect is required, typed and finite", "[check]") {
   for (const ballpark::EffectDescription& description : ballpark::effects()) {
-    CHECK(check(scene_of({bricks("b", 2)}, {on_bricks(description)})).empty());
+    CHECK(check(scene_of({sized(bricks("b", 2))}, {on_bricks(description)})).empty());
     for (const ParameterInfo& parameter : description.parameters) {
       const std::string path = "effects[0]." + parameter.name;
       CAPTURE(description.name, parameter.name);
@@ -88,6 +88,29 @@ TEST_CASE("Bad effects: what the group cannot have", "[check]") {
   check_problem(effect("torque", {{"torque", Vector3d(1, 0, 0)}}, {"p", "s"}), "effects[0].groups", "particles");
   check_problem(effect("force", {{"force", Vector3d(1, 0, 0)}, {"offset", Vector3d(1, 0, 0)}}, {"p"}),
                 "effects[0].offset", "expected an offset of zero");
+}
+
+TEST_CASE("Bad effects: what fluids need to know of bodies", "[check]") {
+  for (const char* kind : {"buoyancy", "added_mass", "reynolds_drag"}) {
+    Effect made = effect(kind, {{"density", 1000.0}}, {"p"});
+    if (std::string(kind) == "reynolds_drag") made.parameters["viscosity"] = 1e-3;
+    check_problem(
+        made, "effects[0].groups",
+        std::string(kind) + " needs the radius of the bodies, but group p gives none: expected bodies.radius");
+  }
+  check_problem(effect("reynolds_drag", {{"density", 1.0}, {"viscosity", 0.0}}, {"s"}), "effects[0].viscosity",
+                "expected a number >= 1e-12 [Pa s]");
+  check_problem(effect("gusts", {{"speed", 1.0}, {"length", 0.0}}, {"s"}), "effects[0].length", ">= 1e-06 [m]");
+  const Effect added = effect("added_mass", {{"density", 1000.0}});
+  const auto message = [](const Scene& scene) {
+    const std::vector<Problem> found = check(scene);
+    return found.size() == 1 ? found[0].path + " " + found[0].message : std::to_string(found.size()) + " problems";
+  };
+  CHECK(contains(message(scene_of({balls("s", 1)}, {added, effect("pivot", {{"point", Vector3d(0, 0, 9)}})})),
+                 "effects[0].groups group s turns about a pivot, where added_mass does not act"));
+  Scene boris = scene_of({balls("s", 1)}, {added});
+  boris.run.integrator = "boris";
+  CHECK(contains(message(boris), "run.integrator boris turns velocities by a body's own mass"));
 }
 
 TEST_CASE("Bad effects: rows for each body, windows and pivots", "[check]") {

@@ -59,6 +59,12 @@ inline BodyGroup bricks(const std::string& name, std::size_t count) {
   return group;
 }
 
+/// The same with a radius, as fluids ask for.
+inline BodyGroup sized(BodyGroup group) {
+  group.radius = {0.1};
+  return group;
+}
+
 inline Effect effect(const std::string& kind, std::map<std::string, Value> parameters = {},
                      std::vector<std::string> groups = {}) {
   return {.kind = kind, .groups = std::move(groups), .parameters = std::move(parameters)};

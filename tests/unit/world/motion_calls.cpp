@@ -16,15 +16,16 @@ namespace {
 constexpr MotionKind motions[] = {MotionKind::point, MotionKind::spinning, MotionKind::oriented, MotionKind::rigid,
                                   MotionKind::pivoted};
 
-/// One body that no value of is zero, under one effect (or none: -1).
+/// One body that no value of is zero, under one effect (or none: -1); what flows has something to push.
 struct Subject {
   StepGroup group;
   std::vector<std::byte> constants;
-  EffectInstance instance;
+  EffectInstance instance, pushed;
+  LinearDrag::Constants drag{0.7};
 
   explicit Subject(int effect) {
     BodyConstants& c = group.constants;
-    c.mass.value = 1.25;
+    c.mass.value = 1.25, c.effective_mass.value = 1.5;
     const Real inverse[] = {2, 1.5, 0.75, 0.1, -0.2, 0.05};
     for (int i = 0; i < 6; ++i) c.inverse_inertia[i].value = inverse[i];
     const Real arm[] = {0.3, -0.2, 0.5}, pivot[] = {0.1, 0.2, -0.3};
@@ -40,9 +41,13 @@ struct Subject {
       return columns;
     };
     constants.resize(info.constants_size);
-    info.pack({parameters, 1, per_body, 1.25}, constants.data());
+    info.pack({parameters, 1, per_body, 1.25, {nullptr, 0.3}}, constants.data());
     instance = {effect, constants.data()};
     group.forces.begin = &instance, group.forces.end = &instance + 1;
+    if (!info.flows) return;
+    group.forces.flow_begin = &instance, group.forces.flow_end = &instance + 1, group.forces.start = 0.5;
+    pushed = {local_effect_index("linear_drag"), &drag};
+    group.forces.begin = &pushed, group.forces.end = &pushed + 1;
   }
 };
 
@@ -78,11 +83,11 @@ TEST_CASE("Derivatives: of every local effect under every motion", "[implicit]")
       REQUIRE(y.size() == static_cast<std::size_t>(calls.size));
       const Vector3<Real> pull = {0.3, -0.8, 0.45};
       BodyRates out, alone;
-      calls.pulled_rates(subject.group, 0, y.data(), pull, out);
-      calls.rates(subject.group, 0, y.data(), alone);
+      calls.pulled_rates(subject.group, 0, y.data(), 0.25, pull, out);
+      calls.rates(subject.group, 0, y.data(), 0.25, alone);
       const auto rate = [&](std::vector<Real> at, const Vector3<Real>& force, int p) {
         BodyRates rates;
-        calls.pulled_rates(subject.group, 0, at.data(), force, rates);
+        calls.pulled_rates(subject.group, 0, at.data(), 0.25, force, rates);
         return rates.rate[p];
       };
       Real worst = 0;
@@ -114,7 +119,7 @@ TEST_CASE("Derivatives: of where a body is by its state", "[implicit]") {
     const MotionCalls& calls = calls_of(kind);
     const std::vector<Real> y = some_state(kind);
     BodyRates out;
-    calls.pulled_rates(subject.group, 0, y.data(), {}, out);
+    calls.pulled_rates(subject.group, 0, y.data(), 0.25, {}, out);
     for (int k = 0; k < 6; ++k) {
       for (std::size_t q = 0; q < y.size(); ++q) {
         const Real difference = slope(y[q], [&](Real value) {

@@ -245,6 +245,22 @@ TEST_CASE("order with every effect at once, on a rigid body that turns", "[metho
   keep_their_orders_on(scene(group, effects, 2, 1), 128);
 }
 
+TEST_CASE("order in a fluid that flows in gusts", "[methods]") {
+  BodyGroup group = tumbler();
+  group.velocity = {{0.5, -1, 2}};
+  group.radius = {0.4};
+  const Effect shear{"wind", {}, {{"velocity", Vector3d(2, -1, 0)}, {"shear", Vector3d(0.5, 0, 0)}}};
+  const Effect gusts{"gusts", {}, {{"speed", 0.5}, {"length", 30.0}, {"velocity", Vector3d(2, -1, 0)}}};
+  const Effect trap{"harmonic_trap", {}, {{"stiffness", Vector3d(2, 3, 1)}}};
+  const Effect lift{"buoyancy", {}, {{"density", 0.5}}}, heavier{"added_mass", {}, {{"density", 0.5}}};
+  const Effect viscous{"reynolds_drag", {}, {{"density", 0.5}, {"viscosity", 0.05}}};
+  keep_their_orders_on(scene(group,
+                             {gravity(), shear, gusts, trap, lift, heavier, viscous, effect("linear_drag", 0.2),
+                              effect("quadratic_drag", 0.1), effect("magnus", 0.3), effect("spin_decay", 0.05)},
+                             2, 1),
+                       128);
+}
+
 TEST_CASE("order with drag and loads on a rigid body that turns about a pivot off its axes", "[methods]") {
   std::vector<Effect> effects = resisted_loads();
   effects.push_back(pivot());

@@ -23,6 +23,10 @@ inline Vector force(const Made& body, const State& s) {
     if (e.kind == "quadratic_drag") total -= number("coefficient") * s.v.norm() * s.v;
     if (e.kind == "spring")
       total -= number("stiffness") * (s.x - wide(cost::vector(e, "anchor"))) + number("damping") * s.v;
+    if (e.kind == "harmonic_trap") {
+      const Vector r = s.x - wide(cost::vector(e, "centre"));
+      total -= wide(cost::vector(e, "stiffness")).cwiseProduct(r);
+    }
     if (e.kind == "central_gravity") {
       const Vector r = s.x - wide(cost::vector(e, "centre"));
       total -= Real(body.mass) * number("strength") / (r.squaredNorm() * r.norm()) * r;

@@ -42,6 +42,9 @@ TEST_CASE("Closed forms: the engine runs into them", "[cost]") {
   check_run(thrown, {drag, pull}, {});
   check_run({.position = {{0, 0, 0}}, .velocity = {{0, 0, 6}}}, {air, pull}, {});
   check_run(thrown, {spring(20, 0.6, {0, 1, 0}), drag, pull}, {});
+  const Effect trap = effect("harmonic_trap", {{"centre", Vector3d(0.5, 0, 1)}, {"stiffness", Vector3d(20, 9, 0.2)}});
+  check_run(thrown, {trap, drag, pull}, {});
+  check_run(thrown, {trap, spring(2, 0.3, {0, 1, 0}), pull}, {});
   check_run(thrown, {sun}, {});
   const Effect electric = effect("electric_field", {{"charge", -0.7}, {"field", Vector3d(1, 2, -3)}});
   const Effect magnetic = effect("magnetic_field", {{"charge", 1.7}, {"field", Vector3d(2, -1, 1.5)}});

@@ -60,6 +60,9 @@ TEST_CASE("Closed forms: oscillators solve their equation", "[cost]") {
       check_motion(cost::oscillator, check_free, held, dice, 10, 1e-5L);
       const Made more = held.with(drag("linear_drag", 0.1)).with(random_gravity(dice)).with(spring(1, 0.2));
       check_motion(cost::oscillator, check_free, more, dice, 10, 1e-5L);
+      const Vector3d each(k, dice.number(0.5, 50), dice.number(0.5, 50));
+      const Made trapped = more.with(effect("harmonic_trap", {{"centre", dice.vector(1)}, {"stiffness", each}}));
+      check_motion(cost::oscillator, check_free, trapped, dice, 10, 1e-5L);
     }
   }
   Made exact = particle({1, 2, 3}, {-1, 0, 2}).with(spring(4, 4));  // critical to the last bit

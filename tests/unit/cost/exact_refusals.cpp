@@ -80,6 +80,12 @@ TEST_CASE("Closed forms: springs with a rest length, or none, are refused", "[co
   CHECK(!taken(mass.with(with(spring(5, 1), "rest_length", 0.5))));
   CHECK(!taken(mass.with(spring(5, 1)).with(with(spring(5, 1), "rest_length", 0.5))));
   CHECK(!taken(mass.with(spring(0, 1))));
+  const auto trap = [](const Vector3d& stiffness) { return effect("harmonic_trap", {{"stiffness", stiffness}}); };
+  CHECK(taken(mass.with(trap({5, 1, 2}))));
+  CHECK(!taken(mass.with(trap({5, 0, 2}))));
+  CHECK(!taken(mass.with(trap({5, -1, 2}))));
+  CHECK(taken(mass.with(trap({5, -1, 2})).with(spring(2, 0))));
+  CHECK(!taken(mass.with(trap({5, 1, 2})).with(effect("wind", {{"velocity", Vector3d(1, 0, 0)}}))));
   CHECK(!taken(mass.with(spring(5, 1)).with(air)));
   CHECK(!taken(rigid({1, 2, 2.5}, {1, 2, 3}, {1, 0, 0}).with(spring(5, 1))));
 }

@@ -163,6 +163,26 @@ TEST_CASE("ablation: without drag and lift a ball lands where Galileo says", "[a
   CHECK(std::abs(gravity.energy.without.value.x() - counted) < 1e-10 * counted);
 }
 
+TEST_CASE("ablation: wind is worth what it carries along, and nothing where nothing feels it", "[ablate]") {
+  scenes::SceneFile drift = file();
+  drift.expectations.clear();
+  Effect drag, wind, gravity;
+  drag.kind = "linear_drag", drag.parameters["coefficient"] = 0.43 / 2;  // m / k = 2 s
+  wind.kind = "wind", wind.parameters["velocity"] = Vector3d(0, 5, 0);
+  gravity.kind = "gravity";
+  drift.scene.effects = {drag, wind};
+  const auto carried = ablate(drift, request(), quietly);
+  REQUIRE(carried);
+  const double t = drift.scene.run.duration, expected = 5 * (t - 2 * (1 - std::exp(-t / 2)));
+  CHECK(std::abs(loss_of(*carried, 1).moved - expected) < 1e-8);
+  CHECK(loss_of(*carried, 1).keep);
+  drift.scene.effects = {gravity, wind};
+  const auto unfelt = ablate(drift, request(), quietly);
+  REQUIRE(unfelt);
+  CHECK(loss_of(*unfelt, 1).same_bits);
+  CHECK(loss_of(*unfelt, 1).sentence.find("changes no bit") != std::string::npos);
+}
+
 TEST_CASE("ablation: no change is claimed below the full scene's own error", "[ablate]") {
   scenes::SceneFile coarse = file();
   coarse.scene.run.integrator = "euler";

@@ -79,6 +79,16 @@ TEST_CASE("prices: an effect that asks for a column moves its bytes", "[prices]"
   CHECK(named("gravity").beside == "particles");
   CHECK(named("magnus").beside == "balls");
   CHECK(named("magnus").bytes == 2 * 3 * 8);  // angular momentum, read and written
+  CHECK(named("spin_decay").beside == "balls");
+  CHECK(named("spin_decay").bytes == 2 * 3 * 8);
+  CHECK(named("buoyancy").beside == "balls");  // which have a radius, the same for all
+  CHECK(named("buoyancy").bytes == 0);
+  CHECK(named("buoyancy").flops_of_step == 4 * named("buoyancy").flops);
+  CHECK(named("added_mass").bytes == 0);
+  CHECK(named("added_mass").flops_of_step == 0);
+  CHECK(named("gusts").beside == "particles");
+  // Reading positions, they ask for those of three stages too.
+  CHECK(named("gusts").flops_of_step == 4 * named("gusts").flops + 2 * 3 * 3);
 }
 
 TEST_CASE("prices: of a scene, those of its own effects alone and in it", "[prices]") {

@@ -257,8 +257,8 @@ TEST_CASE("order in a fluid that flows in gusts", "[methods]") {
   keep_their_orders_on(scene(group,
                              {gravity(), shear, gusts, trap, lift, heavier, viscous, effect("linear_drag", 0.2),
                               effect("quadratic_drag", 0.1), effect("magnus", 0.3), effect("spin_decay", 0.05)},
-                             2, 1),
-                       128);
+                             3, 1),
+                       64);
 }
 
 TEST_CASE("order with drag and loads on a rigid body that turns about a pivot off its axes", "[methods]") {

@@ -76,7 +76,7 @@ TEST_CASE("Effect list: what an effect offers is found in its code", "[effects]"
 TEST_CASE("Effect list: effects between bodies have an energy, no force derivative, and stiffness if they say so",
           "[effects]") {
   const Real mass[2] = {1, 1}, zero[2] = {};
-  PairBodies two{.count = 2, .end = 2, .mass = mass};
+  PairBodies two{.count = 2, .copies = {}, .end = 2, .mass = mass};
   for (const Real*& column : two.position) column = zero;
   for (const PairEffectInfo& info : pair_effects()) {
     CAPTURE(info.description.name);

@@ -146,6 +146,12 @@ void World::apply_torque(std::size_t id, const Vector3d& torque, double at, doub
 Totals World::totals() const {
   return world_->totals();
 }
+void World::keep_ledger(bool on) {
+  world_->keep_ledger(on);
+}
+Ledger World::ledger() const {
+  return world_->ledger();
+}
 std::uint64_t World::state_hash() const {
   return world_->state_hash();
 }

@@ -37,6 +37,8 @@ Vector3<Wide> widened(const Vector3<Real>& a) {
   return {a.x, a.y, a.z};
 }
 
+}  // namespace
+
 Body<Real> body_at(const Group& group, std::size_t row) {
   return with_carried(group.carried, [&]<class M>() {
     const auto c = M::template constants<Real>(group.kernel.constants, row);
@@ -45,8 +47,6 @@ Body<Real> body_at(const Group& group, std::size_t row) {
     return M::body(c, y);
   });
 }
-
-}  // namespace
 
 void place_pivoted(const Group& group, std::size_t row) {
   const auto c = PivotedMotion::constants<Real>(group.kernel.constants, row);
@@ -170,8 +170,8 @@ BodyState World::body(std::size_t id) const {
 }
 
 void World::set(std::size_t id, const BodyState& state) {
-  const auto [g, row] = place_to_change(id, "set");
-  Group& group = groups_[g];
+  const Place place = place_to_change(id, "set");
+  const Group& group = groups_[place.group];
   require_finite("set", "position", state.position);
   require_finite("set", "velocity", state.velocity);
   require_finite("set", "angular_velocity", state.angular_velocity);
@@ -181,9 +181,15 @@ void World::set(std::size_t id, const BodyState& state) {
   }
   if (state.has_orientation && !group.turns()) refuse("set", "group " + group.name + " carries no orientation");
   if (state.has_angular_velocity && !group.spins()) refuse("set", "group " + group.name + " carries no rotation");
+  booked_jump(&LedgerBook::outside, [&] { put(place, state, body(id)); });
+}
+
+/// What the state does not give stays as it is now.
+void World::put(const Place& place, const BodyState& state, const BodyState& now) {
+  Group& group = groups_[place.group];
+  const std::size_t row = place.row;
   const StateColumns& columns = group.kernel.state;
-  const BodyState now = body(id);
-  const Quaternion orientation = state.has_orientation ? q : now.orientation;
+  const Quaternion orientation = state.has_orientation ? state.orientation : now.orientation;
   const Vector3d spin = state.has_angular_velocity ? state.angular_velocity : now.angular_velocity;
   if (group.turns()) {
     const double values[4] = {orientation.w, orientation.x, orientation.y, orientation.z};
@@ -229,7 +235,7 @@ void World::apply_impulse(std::size_t id, const Vector3d& J, const Vector3d& off
   if (!groups_[place.group].spins() && offset != Vector3d::Zero()) {
     refuse("apply_impulse", "group " + groups_[place.group].name + " carries no rotation, expected an offset of zero");
   }
-  kick(place, J, offset);
+  booked_jump(&LedgerBook::outside, [&] { kick(place, J, offset); });
 }
 
 void World::schedule_impulse(const Impulse& impulse) {

@@ -232,6 +232,17 @@ std::vector<BodyLoad> PenaltyStep::loads(const std::vector<Group>& groups, doubl
   return penalty.loads(time, workers);
 }
 
+double PenaltyStep::power(const std::vector<Group>& groups, double time, Workers& workers) {
+  loads(groups, time, workers);
+  const ContactBodies& bodies = penalty.bodies;
+  double sum = 0;
+  for (std::size_t slot = 0; slot < bodies.count; ++slot) {
+    sum += static_cast<double>(dot(penalty.force.at(slot), bodies.velocity.at(slot)));
+    if (bodies.spins) sum += static_cast<double>(dot(penalty.moment.at(slot), bodies.surface.at(slot)));
+  }
+  return sum;
+}
+
 double PenaltyStep::energy(const std::vector<Group>& groups, double time, Workers& workers) {
   read_state(groups, &StepGroup::state, workers);
   return penalty.energy(time, workers);

@@ -90,6 +90,7 @@ class PenaltyStep : public ContactStep {
   /// After the step: springs moved, bodies back in the periodic box.
   void finish(const std::vector<Group>& groups, const Method& method, Workers& workers);
   double energy(const std::vector<Group>& groups, double time, Workers& workers);
+  double power(const std::vector<Group>& groups, double time, Workers& workers);  ///< of the forces in the state [W]
   /// How far the try of length h took a body, or would have at its speed, in radii: the most of all. A wall likewise,
   /// in radii of the smallest body.
   Real stride(const std::vector<Group>& groups, Real h, Workers& workers);

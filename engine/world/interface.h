@@ -40,6 +40,8 @@ class WorldInterface {
   virtual void apply_load(const std::string& kind, std::size_t id, const Vector3d& load, double at, double until) = 0;
   virtual std::vector<ContactLoad> contact_loads() const = 0;
   virtual Totals totals() const = 0;
+  virtual void keep_ledger(bool on) = 0;
+  virtual Ledger ledger() const = 0;
   virtual std::uint64_t state_hash() const = 0;
   virtual Explanation explain() const = 0;
   virtual Snapshot snapshot() const = 0;

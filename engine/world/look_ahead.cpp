@@ -52,7 +52,7 @@ void World::look_ahead(double t, FunctionRef<void()> look) {
   ++looks_;
   const auto come_back = [&] {
     --looks_;
-    restore(now);
+    return_to(now);
     watched_stiffness_ = watched;
     profiling_ = profiling;
   };

@@ -1,6 +1,7 @@
 #include "engine/world/pair_system.h"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/world/world.h"
 
@@ -86,6 +87,27 @@ void PairSystem::add_forces(const std::vector<Group>& groups, const CopyRange& r
 
 double PairSystem::energy(const std::vector<Group>& groups, Workers& workers) {
   return effect->energy(in_state(groups, workers), workers);
+}
+
+double PairSystem::power(const std::vector<Group>& groups, Workers& workers) {
+  PairBodies bodies = in_state(groups, workers);
+  std::array<AlignedArray<Real>, 3> force;
+  for (std::size_t c = 0; c < 3; ++c) {
+    force[c] = AlignedArray<Real>(padded(count_ * copies_));
+    bodies.force[c] = force[c].data();
+  }
+  effect->add_forces(bodies, workers);
+  double sum = 0;
+  for (const SlotRange& range : ranges) {
+    const auto& velocity = groups[range.group].kernel.state.velocity;
+    for (std::size_t i = 0; i < range.count; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        sum += static_cast<double>(force[c].data()[range.first_slot + i]) *
+               static_cast<double>(velocity[c][range.first_row + i]);
+      }
+    }
+  }
+  return sum;
 }
 
 void PairSystem::explain(const std::vector<Group>& groups, int calls, Explanation& all) const {

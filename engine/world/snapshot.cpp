@@ -87,8 +87,10 @@ Snapshot World::snapshot() const {
                 .status = status_,
                 .columns = {},
                 .pace = pace(),
-                .contacts = {}};
+                .contacts = {},
+                .ledger = {}};
   if (contacts_) copy.contacts = contacts_->save();
+  if (book_) copy.ledger = book_->numbers();
   for (const Group& group : groups_) copy.motions.push_back(group.motion != MotionKind::point);
   for (const Column& column : columns_.all()) {
     if (!lasts(column)) continue;
@@ -101,6 +103,11 @@ Snapshot World::snapshot() const {
 }
 
 void World::restore(const Snapshot& snapshot) {
+  return_to(snapshot);
+  if (book_ && !book_->set_numbers(snapshot.ledger)) keep_ledger(true);
+}
+
+void World::return_to(const Snapshot& snapshot) {
   std::size_t count = 0;
   bool fits = snapshot.structure == structure() && snapshot.motions.size() == groups_.size();
   const auto for_each_array = [&](auto act) {

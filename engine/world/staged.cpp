@@ -3,16 +3,6 @@
 
 namespace ballpark::BALLPARK_PRECISION {
 
-namespace {
-
-template <class R>
-void run_user(const UserEffect& effect, const BodyBlock<R>& block) {
-  if constexpr (std::is_same_v<R, float>) effect.run_single(block);
-  if constexpr (std::is_same_v<R, double>) effect.run_double(block);  // extended precision refuses user effects
-}
-
-}  // namespace
-
 /// Small parts go through all of a step while they are in cache, each on one thread.
 Moved World::staged_step(const Method& method, double from) {
   if (parts_.empty() || profiling_) return staged_passes(whole_, method, from);  // clocks are of passes
@@ -65,24 +55,30 @@ void World::sum_forces(const Part& part, const Method& method, int phase, double
   if (penalty_) timed("press_contacts", [&] { penalty_->add_forces(groups_, method, phase, time, workers_); });
 }
 
-void World::run_users(const Group& group, const Block& block, double time) {
+/// Rows of a group as a user effect sees them, but for the time.
+BodyBlock<Real> World::block_of(const Group& group, const StateColumns& columns, const Block& block) {
   const StepGroup& k = group.kernel;
   BodyBlock<Real> view;
   view.count = block.last - block.first;
-  view.time = time;
   view.mass = k.constants.mass.rows + block.first;
   for (int c = 0; c < 3; ++c) {
-    view.position[c] = k.trial.position[c] + block.first;
-    view.velocity[c] = k.trial.velocity[c] + block.first;
+    view.position[c] = columns.position[c] + block.first;
+    view.velocity[c] = columns.velocity[c] + block.first;
     view.force[c] = group.force_sums[c] + block.first;
     if (!k.trial_spin[0]) continue;
     view.angular_velocity[c] = k.trial_spin[c] + block.first;
     view.torque[c] = group.torque_sums[c] + block.first;
   }
-  if (k.trial.orientation[0]) {
-    for (int c = 0; c < 4; ++c) view.orientation[c] = k.trial.orientation[c] + block.first;
+  if (columns.orientation[0]) {
+    for (int c = 0; c < 4; ++c) view.orientation[c] = columns.orientation[c] + block.first;
   }
-  for (std::size_t user : group.users) run_user(users_[user], view);
+  return view;
+}
+
+void World::run_users(const Group& group, const Block& block, double time) {
+  BodyBlock<Real> view = block_of(group, group.kernel.trial, block);
+  view.time = time;
+  for (const std::size_t user : group.users) run_user(users_[user], view);
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

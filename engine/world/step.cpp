@@ -28,8 +28,9 @@ void World::run(std::uint64_t most_steps, double until) {
   std::optional<FlushDenormals> flush;  // once for all steps; contacts flush in their passes alone
   if (!contacts_) flush.emplace();
   for (std::uint64_t i = 0; i < most_steps && time() < until && !stuck_;) {
-    const int n = adaptive_ ? 1 : steps_at_once(most_steps - i);
-    adaptive_ ? adaptive_step(until) : n > 1 ? many_steps(n) : one_step();
+    const bool books_path = books() && !impulse_;
+    const int n = adaptive_ || books_path ? 1 : steps_at_once(most_steps - i);
+    books_path ? booked_step(until) : adaptive_ ? adaptive_step(until) : n > 1 ? many_steps(n) : one_step();
     i += static_cast<std::uint64_t>(n);
   }
 }
@@ -82,7 +83,10 @@ void World::part_of_step(double length) {
 
 /// What forces were before says nothing of what they are now.
 void World::take_effect(const Event& event) {
-  if (event.impulse) kick(place_of(event.impulse->id), event.impulse->J, event.impulse->offset);
+  if (event.impulse) {
+    const Impulse& impulse = *event.impulse;
+    booked_jump(&LedgerBook::outside, [&] { kick(place_of(impulse.id), impulse.J, impulse.offset); });
+  }
   forget_rates();
 }
 
@@ -131,12 +135,16 @@ void World::contact_substeps(double from, double h) {
       impulse_->read_start(groups_, workers_);
     });
     if (i == 0) timed("find_contacts", [&] { impulse_->solver.find(at, static_cast<Real>(h), workers_); });
+    if (books()) book_->add_work(read_energy(), substep / 2);
     report_non_finite(smooth_motion(method, at));
-    timed("read_contacts", [&] { impulse_->read_trial(groups_, workers_); });
-    timed("reflect_impacts", [&] { impulse_->solver.reflect(at, static_cast<Real>(substep), workers_); });
-    timed("solve_contacts", [&] { impulse_->solver.solve(workers_); });
-    timed("relax_contacts", [&] { impulse_->solver.relax(workers_); });
-    timed("write_contacts", [&] { impulse_->write(groups_, workers_); });
+    if (books()) book_->add_work(read_energy(), substep / 2);
+    booked_jump(&LedgerBook::contacts, [&] {
+      timed("read_contacts", [&] { impulse_->read_trial(groups_, workers_); });
+      timed("reflect_impacts", [&] { impulse_->solver.reflect(at, static_cast<Real>(substep), workers_); });
+      timed("solve_contacts", [&] { impulse_->solver.solve(workers_); });
+      timed("relax_contacts", [&] { impulse_->solver.relax(workers_); });
+      timed("write_contacts", [&] { impulse_->write(groups_, workers_); });
+    });
   }
 }
 

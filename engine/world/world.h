@@ -22,6 +22,7 @@
 #include "engine/world/inertia.h"
 #include "engine/world/interface.h"
 #include "engine/world/kernel_table.h"
+#include "engine/world/ledger.h"
 #include "engine/world/pair_system.h"
 
 namespace ballpark::BALLPARK_PRECISION {
@@ -51,6 +52,8 @@ class World : public WorldInterface {
   void apply_load(const std::string& kind, std::size_t id, const Vector3d& load, double at, double until) override;
   std::vector<ContactLoad> contact_loads() const override;
   Totals totals() const override;
+  void keep_ledger(bool on) override;
+  Ledger ledger() const override;
   std::uint64_t state_hash() const override;
   Explanation explain() const override;
   Snapshot snapshot() const override;
@@ -107,9 +110,20 @@ class World : public WorldInterface {
   void staged_phase(const Part& part, const Method& method, int phase, double from);
   void sum_forces(const Part& part, const Method& method, int phase, double time);
   void run_users(const Group& group, const Block& block, double time);
+  static BodyBlock<Real> block_of(const Group& group, const StateColumns& columns, const Block& block);
 
   // look_ahead.cpp
   void go_aside(double t);
+  void return_to(const Snapshot& snapshot);
+
+  // ledger.cpp
+  bool books() const { return book_ && looks_ == 0; }
+  EnergyReading read_energy() const;
+  void booked_step(double until);
+  void book_path(double from, double to);
+  double power_of_user(std::size_t user) const;
+  template <class Act>
+  void booked_jump(ExactSum LedgerBook::*cause, Act act);
 
   // fixed_point.cpp
   Moved fixed_point_step(const Method& method, double from);
@@ -142,6 +156,7 @@ class World : public WorldInterface {
   Place place_of(std::size_t id) const;
   Place known_place(std::size_t id, const char* call) const;
   Place place_to_change(std::size_t id, const char* call) const;
+  void put(const Place& place, const BodyState& state, const BodyState& now);
   void kick(const Place& place, const Vector3d& J, const Vector3d& offset);
   std::size_t id_of(const Group& group, std::size_t row) const;
 
@@ -178,8 +193,9 @@ class World : public WorldInterface {
   std::unique_ptr<FixedPoint> fixed_point_;  ///< none: no need to iterate
   std::string not_differentiated_;           ///< why stages are iterated; "": they are not
   double step_ = 0, duration_ = 0;
-  double part_ = 0;  ///< of a step, where a look has gone [s]
-  int looks_ = 0;    ///< one in the other: how many this is the state of
+  double part_ = 0;                   ///< of a step, where a look has gone [s]
+  int looks_ = 0;                     ///< one in the other: how many this is the state of
+  std::unique_ptr<LedgerBook> book_;  ///< none: no ledger is kept
   bool fused_ = true;
   std::string path_reason_;
   std::size_t per_copy_ = 0, copies_ = 1;
@@ -193,6 +209,15 @@ class World : public WorldInterface {
   std::vector<PassTime> pass_times_;
   std::vector<double> bytes_per_call_;  ///< of the passes in pass_times_
 };
+
+/// What happens at once goes into the ledger, if one is kept.
+template <class Act>
+void World::booked_jump(ExactSum LedgerBook::*cause, Act act) {
+  if (!books()) return act();
+  const EnergyReading before = read_energy();
+  act();
+  book_->add_jump(before, read_energy(), cause);
+}
 
 /// Runs the action, timed if asked for.
 template <class Action>
@@ -214,6 +239,13 @@ void World::pass(const Part& part, const char* name, Task task) {
     const FlushDenormals flush;
     for (std::size_t b = 0; b < part.blocks.size(); ++b) run(b);
   });
+}
+
+/// Extended precision refuses user effects.
+template <class R>
+void run_user(const UserEffect& effect, const BodyBlock<R>& block) {
+  if constexpr (std::is_same_v<R, float>) effect.run_single(block);
+  if constexpr (std::is_same_v<R, double>) effect.run_double(block);
 }
 
 /// What the parts of a sweep tell, together.
@@ -277,6 +309,8 @@ Vector3<Wide> momentum_for(const Group& group, std::size_t row, const Quaternion
 void place_pivoted(const Group& group, std::size_t row);
 /// Is every value of the body's state finite? `row` in the group.
 bool is_finite(const Group& group, std::size_t row);
+/// In the state, as effects see it.
+Body<Real> body_at(const Group& group, std::size_t row);
 
 const char* name(MotionKind kind);
 /// Of the column that holds angular momenta in the bodies' own axes.

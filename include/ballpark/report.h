@@ -59,6 +59,35 @@ struct Totals {
   double energy() const { return kinetic + potential; }
 };
 
+/// What one cause did to the kinetic energy.
+struct LedgerLine {
+  std::string name;               ///< of the effect; "contacts"; "from outside": impulses, and what set() changed
+  double work = 0;                ///< [J]
+  bool has_energy = false;        ///< does it keep what it takes, as potential energy?
+  double initial = 0, final = 0;  ///< that energy [J]
+  /// What it took for good (negative) or brought in [J].
+  double gain() const { return work + final - initial; }
+};
+
+/// Where the energy went since the ledger was opened. Work is force times velocity (and torque times angular velocity)
+/// over time, integrated between the steps' ends for itself: so what is left of the change of the kinetic energy is
+/// the error of the integrator.
+struct Ledger {
+  struct Kinetic {
+    double translation = 0, rotation = 0;  ///< [J]; translation with that of the fluid that moves along (added_mass)
+    double sum() const { return translation + rotation; }
+  };
+  double from = 0, to = 0;  ///< [s]
+  Kinetic initial, final;
+  std::vector<LedgerLine> lines;
+  double work() const {
+    double sum = 0;
+    for (const LedgerLine& line : lines) sum += line.work;
+    return sum;
+  }
+  double integrator_error() const { return final.sum() - initial.sum() - work(); }  ///< [J]
+};
+
 struct ColumnReport {
   std::string name, unit, role, group;  ///< role: state | kept | rate | sum | constant
   int components = 1;

@@ -141,6 +141,7 @@ struct RunReport {
   double momentum_drift = 0;         ///< |dP| / largest sum of |p| at start or end
   double angular_momentum_drift = 0;
   std::vector<EventTimes> events;
+  std::optional<Ledger> ledger;  ///< if it was asked for
   std::vector<std::string> warnings;
   std::vector<Verdict> verdicts;
   bool interrupted = false;
@@ -154,6 +155,7 @@ using FrameWriter = std::function<void(const World&)>;
 struct RunHooks {
   std::function<bool(double fraction)> progress;  ///< now and then; false interrupts
   std::vector<FrameWriter> writers;               ///< one for each of the file's outputs, in order
+  bool ledger = false;                            ///< keep the energy ledger
 };
 
 /// Builds the world, steps it to the scene's duration, samples outputs and expectations at the steps nearest to their

@@ -46,6 +46,7 @@ struct Snapshot {
   std::vector<std::vector<std::byte>> columns;
   std::vector<double> pace;         ///< what multistep and adaptive methods carry from step to step
   std::vector<std::byte> contacts;  ///< impulses that the contacts of the last step bore
+  std::vector<double> ledger;       ///< what the energy ledger holds, if it is kept
 };
 
 }  // namespace ballpark

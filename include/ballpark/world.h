@@ -80,7 +80,11 @@ class World {
   /// `penalty`: now. `impulse`: those of the last substep, with their mean force in it; impacts, which take no time,
   /// are no force. Throws SceneError where bodies do not touch.
   std::vector<ContactLoad> contact_loads() const;
-  Totals totals() const;             ///< energy and momenta now; one pass over all bodies
+  Totals totals() const;  ///< energy and momenta now; one pass over all bodies
+  /// Opens the energy ledger, or closes it. Steps take several times as long while it is open, and end in the same
+  /// bits. A snapshot holds it; restore() of one that does not opens it anew.
+  void keep_ledger(bool on);
+  Ledger ledger() const;             ///< throws SceneError if it is closed
   std::uint64_t state_hash() const;  ///< over the state columns, by id
   Explanation explain() const;
   Snapshot snapshot() const;

@@ -20,6 +20,7 @@ struct Arguments {
   std::optional<std::string> bodies;                                                             ///< of `prices`
   std::optional<std::string> frames, max_size, with, scene, compare, still, size, colour, from;  ///< of `view`
   bool write = false;
+  bool ledger = false;              ///< of `run`
   std::optional<std::string> json;  ///< a file; "": standard output
   bool quiet = false;
 };

@@ -230,6 +230,10 @@ void add_command(CLI::App& program, const Command& command, Arguments& arguments
   if (command.name == std::string("cost")) {
     app.add_flag("--write", arguments.write, "write the named setting into the scene file")->group(command.more_group);
   }
+  if (command.name == std::string("run")) {
+    app.add_flag("--ledger", arguments.ledger, "who did work on the bodies, and what the integrator lost; takes longer")
+        ->group("Output");
+  }
   add_common(app, arguments);
   app.footer(command.footer + std::string(command.takes_scene ? "\n" : "\n\n") +
              (command.takes_scene ? help::scene_word : "") + help::exit_codes);

@@ -27,8 +27,8 @@ std::string setting_of(const World& world, const Scene& scene) {
 
 }  // namespace
 
-FigureFile::FigureFile(const std::string& path, const Scene& scene)
-    : scene_(scene), file_(vector_picture(path)), history_(scene) {}
+FigureFile::FigureFile(const std::string& path, const Scene& scene, bool ledger)
+    : scene_(scene), file_(vector_picture(path)), history_(scene, ledger) {}
 
 scenes::OutputRequest FigureFile::request() const {
   scenes::OutputRequest request;

@@ -11,8 +11,9 @@ namespace ballpark::command {
 
 class FigureFile {
  public:
-  /// Throws UsageError or DestinationError. The scene must outlive this.
-  FigureFile(const std::string& path, const Scene& scene);
+  /// Throws UsageError or DestinationError. The scene must outlive this. `ledger`: with that of
+  /// the world.
+  FigureFile(const std::string& path, const Scene& scene, bool ledger);
   /// When add() wants to be called.
   scenes::OutputRequest request() const;
   void add(const World& world);

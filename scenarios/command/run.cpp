@@ -9,6 +9,7 @@
 #include "scenarios/command/commands.h"
 #include "scenarios/command/deliver.h"
 #include "scenarios/command/expectation_text.h"
+#include "scenarios/command/ledger_text.h"
 #include "scenarios/command/run_files.h"
 #include "scenarios/command/scene_options.h"
 #include "scenarios/command/series_text.h"
@@ -187,6 +188,7 @@ std::string text_of(const RunReport& report, const Scene& scene, const RunFiles&
   text.blank();
   add_facts(text, report, scene, files);
   add_verdicts(text, report);
+  if (report.ledger) add_ledger(text, *report.ledger);
   if (!files.written().empty()) text.blank();
   for (const std::string& path : files.written()) text.line("  wrote " + path);
   return text.text();
@@ -225,6 +227,7 @@ Exit run(const Arguments& arguments) {
   Delivery delivery(arguments);
   scenes::RunHooks hooks;
   hooks.writers = files.writers();
+  hooks.ledger = arguments.ledger;
   RunReport report;
   {
     Progress progress(file.scene.name, !arguments.quiet);

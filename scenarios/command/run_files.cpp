@@ -91,7 +91,7 @@ RunFiles::RunFiles(scenes::SceneFile& scene_file, const Arguments& arguments) : 
     scene_file.outputs.push_back(end);
   }
   if (arguments.figure) {
-    figure_.emplace(*arguments.figure, scene_);
+    figure_.emplace(*arguments.figure, scene_, arguments.ledger);
     scene_file.outputs.push_back(figure_->request());
   }
 }

@@ -44,6 +44,27 @@ Json events_of(const RunReport& report) {
   return events;
 }
 
+Json json_of(const Ledger::Kinetic& kinetic) {
+  return {{"translation", kinetic.translation}, {"rotation", kinetic.rotation}};
+}
+
+/// By name; of two effects of one kind, as two, the sum stands there.
+Json json_of(const std::optional<Ledger>& ledger) {
+  if (!ledger) return nullptr;
+  Json lines = Json::object();
+  for (const LedgerLine& line : ledger->lines) {
+    Json& of = lines[line.name];
+    of["work"] = line.work;
+    of["potential"] = line.has_energy ? Json({{"initial", line.initial}, {"final", line.final}}) : Json(nullptr);
+    of["gain"] = line.has_energy ? Json(line.gain()) : Json(line.work);
+  }
+  return {{"from", ledger->from},
+          {"to", ledger->to},
+          {"kinetic", {{"initial", json_of(ledger->initial)}, {"final", json_of(ledger->final)}}},
+          {"lines", lines},
+          {"integrator_error", ledger->integrator_error()}};
+}
+
 }  // namespace
 
 Json json_of(const RunReport& report) {
@@ -96,6 +117,7 @@ Json json_of(const RunReport& report) {
           {"non_finite_bodies", report.final.non_finite_bodies},
           {"bodies_outside", report.final.bodies_outside},
           {"events", events_of(report)},
+          {"ledger", json_of(report.ledger)},
           {"warnings", report.warnings},
           {"expectations", verdicts_of(report)}};
 }

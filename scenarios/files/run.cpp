@@ -109,7 +109,7 @@ class Run {
         path_(world_.explain().path),
         events_(file, world_),
         driver_(world_, events_, hooks, pace_),
-        judge_(file, world_, report()) {
+        judge_(file, opened(world_, hooks), report()) {
     plan();
   }
 
@@ -128,6 +128,12 @@ class Run {
   }
 
  private:
+  /// With its ledger, if it is asked for: expectations may name it.
+  static World& opened(World& world, const RunHooks& hooks) {
+    world.keep_ledger(hooks.ledger);
+    return world;
+  }
+
   /// Something to do at some steps.
   struct Duty {
     Occasions occasions;
@@ -209,6 +215,7 @@ class Run {
     now.initial = initial_;
     now.final = world_.totals();
     now.events = events_.until(now.time);
+    if (hooks_.ledger) now.ledger = world_.ledger();
     add_drifts(now);
     return now;
   }

@@ -15,8 +15,8 @@ constexpr const char* pace = "time per body-step";
 }  // namespace
 
 // Those of one unit stand together: a figure draws them on one scale.
-History::History(const Scene& scene)
-    : touching_(!scene.contact.kind.empty()), substeps_(std::max(1, scene.contact.substeps)) {
+History::History(const Scene& scene, bool ledger)
+    : touching_(!scene.contact.kind.empty()), ledger_(ledger), substeps_(std::max(1, scene.contact.substeps)) {
   series_ = {{"energy", "J", {}},
              {"kinetic energy", "J", {}},
              {"potential energy", "J", {}},
@@ -26,7 +26,17 @@ History::History(const Scene& scene)
     series_.push_back({"deepest penetration so far", "m", {}});
     series_.push_back({"contacts", "", {}});
   }
+  if (ledger_) series_.push_back({"integrator error", "J", {}});
   series_.push_back({pace, "ns", {}});
+}
+
+/// Lines of causes, behind all others: as many as the first sample has.
+void History::add(const Ledger& ledger) {
+  std::size_t at = series_.size() - (times_.empty() ? 0 : ledger.lines.size());
+  for (const LedgerLine& line : ledger.lines) {
+    if (times_.empty()) series_.push_back({"work of " + line.name, "J", {}});
+    series_[at++].values.push_back(line.work);
+  }
 }
 
 void History::add(const World& world) {
@@ -42,8 +52,10 @@ void History::add(const World& world) {
     values.push_back(counted.max_penetration);
     values.push_back(substeps > 0 ? loaded / substeps : 0);
   }
+  if (ledger_) values.push_back(world.ledger().integrator_error());
   values.push_back(body_steps > 0 ? 1e9 * (entered - left_) / body_steps : 0);
-  for (std::size_t i = 0; i < series_.size(); ++i) series_[i].values.push_back(values[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) series_[i].values.push_back(values[i]);
+  if (ledger_) add(world.ledger());
   times_.push_back(world.time());
   before_ = counted;
   go_on();

@@ -11,8 +11,8 @@ namespace ballpark::view {
 /// Samples a world now and then. Each sample is a pass over all bodies.
 class History {
  public:
-  /// What the scene has: without contacts, none of them.
-  explicit History(const Scene& scene);
+  /// What the scene has: without contacts, none of them. `ledger`: and that of the world.
+  explicit History(const Scene& scene, bool ledger = false);
   void add(const World& world);
   /// What was done since add() is no part of the steps to come: their time begins now.
   void go_on();
@@ -20,7 +20,9 @@ class History {
   std::vector<Series> take();
 
  private:
-  bool touching_;
+  void add(const Ledger& ledger);
+
+  bool touching_, ledger_;
   double substeps_;
   std::vector<double> times_;  ///< [s]
   std::vector<Series> series_;

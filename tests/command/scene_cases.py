@@ -91,6 +91,31 @@ class Runs(CommandTest):
         self.assertEqual(single["precision"], "single")
         self.assertNotIn(single["state_hash"], hashes)
 
+    def test_the_ledger_adds_up_and_changes_no_bit(self):
+        dragged = self.write("dragged.toml", BALL + '[[effects]]\nkind = "linear_drag"\ncoefficient = 0.5\n')
+        alone, booked = self.json("run", dragged), self.json("run", dragged, "--ledger")
+        self.assertIsNone(alone["ledger"])
+        self.assertEqual(booked["state_hash"], alone["state_hash"])
+        ledger = booked["ledger"]
+        self.assertEqual((ledger["from"], ledger["to"]), (0.0, booked["time"]))
+        kinetic = [sum(ledger["kinetic"][when].values()) for when in ("initial", "final")]
+        works = {name: line["work"] for name, line in ledger["lines"].items()}
+        self.assertLess(works["linear_drag"], 0)
+        self.assertAlmostEqual(sum(works.values()) + ledger["integrator_error"], kinetic[1] - kinetic[0], places=11)
+        self.assertLess(abs(ledger["integrator_error"]), 1e-3 * kinetic[1])
+        self.assertIsNone(ledger["lines"]["linear_drag"]["potential"])
+        text = self.call("run", dragged, "--ledger", "--figure", "work.svg").stdout
+        self.assertIn("integrator error", text)
+        self.assertIn("linear_drag", text)
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)
+        self.assertIn("work of linear_drag", (self.folder / "work.svg").read_text())
+
+    def test_expectations_may_name_the_ledger(self):
+        wanted = '[[expect]]\nquantity = "ledger.integrator_error"\nmin = -1e-9\nmax = 1e-9\n'
+        scene = self.write("booked.toml", BALL + wanted)
+        self.assertEqual(self.json("run", scene, "--ledger")["expectations"][0]["met"], True)
+        self.refused("run", scene, says="ledger.integrator_error")
+
     def test_overrides(self):
         report = self.json("run", self.scene, "--set", "run.integrator=euler", "--set", "run.step=0.125",
                            "--set", "bodies.balls.mass=3")

@@ -233,14 +233,22 @@ std::vector<BodyLoad> PenaltyStep::loads(const std::vector<Group>& groups, doubl
 }
 
 double PenaltyStep::power(const std::vector<Group>& groups, double time, Workers& workers) {
-  loads(groups, time, workers);
-  const ContactBodies& bodies = penalty.bodies;
-  double sum = 0;
-  for (std::size_t slot = 0; slot < bodies.count; ++slot) {
-    sum += static_cast<double>(dot(penalty.force.at(slot), bodies.velocity.at(slot)));
-    if (bodies.spins) sum += static_cast<double>(dot(penalty.moment.at(slot), bodies.surface.at(slot)));
-  }
-  return sum;
+  read_state(groups, &StepGroup::state, workers);
+  ContactBodies& bodies = penalty.bodies;
+  const VectorColumn velocity = bodies.velocity;
+  const auto power_now = [&] {
+    penalty.loads(time, workers);
+    double sum = 0;
+    for (std::size_t slot = 0; slot < bodies.count; ++slot) {
+      sum += static_cast<double>(dot(penalty.force.at(slot), velocity.at(slot)));
+      if (bodies.spins) sum += static_cast<double>(dot(penalty.moment.at(slot), bodies.surface.at(slot)));
+    }
+    return sum;
+  };
+  const double all = power_now();
+  if (remembers()) return all;
+  for (std::size_t slot = 0; slot < bodies.count; ++slot) bodies.velocity.put(slot, {});
+  return all - power_now();  // what springs would do at rest as well comes back
 }
 
 double PenaltyStep::energy(const std::vector<Group>& groups, double time, Workers& workers) {

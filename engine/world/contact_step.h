@@ -90,7 +90,9 @@ class PenaltyStep : public ContactStep {
   /// After the step: springs moved, bodies back in the periodic box.
   void finish(const std::vector<Group>& groups, const Method& method, Workers& workers);
   double energy(const std::vector<Group>& groups, double time, Workers& workers);
-  double power(const std::vector<Group>& groups, double time, Workers& workers);  ///< of the forces in the state [W]
+  /// Of the forces in the state [W], but for what the energy keeps, unless they depend on what was.
+  double power(const std::vector<Group>& groups, double time, Workers& workers);
+  bool remembers() const { return penalty.bodies.spins; }  ///< friction: how far surfaces have slid
   /// How far the try of length h took a body, or would have at its speed, in radii: the most of all. A wall likewise,
   /// in radii of the smallest body.
   Real stride(const std::vector<Group>& groups, Real h, Workers& workers);

@@ -36,10 +36,17 @@ void add_effects(const Group& group, const Body<Real>& body, double time, Energy
       alone.sums = {};
       alone.start = time;
       alone.turning_apart = false;
-      const Loads<Real> loads = alone.loads(body, 0);
+      Loads<Real> loads = alone.loads(body, 0);
+      if (info.energy) {  // what it would do at rest as well comes back
+        sum.potential[e] += static_cast<double>(info.energy(instance.constants, body));
+        Body<Real> at_rest = body;
+        at_rest.velocity = at_rest.spin = {};
+        const Loads<Real> kept = alone.loads(at_rest, 0);
+        loads.force -= kept.force;
+        loads.torque -= kept.torque;
+      }
       sum.power[e] += power_of(loads.force, body.velocity);
       if constexpr (M::spins) sum.power[e] += power_of(loads.torque, body.spin);
-      if (info.energy) sum.potential[e] += static_cast<double>(info.energy(instance.constants, body));
     }
   }
 }
@@ -109,7 +116,6 @@ void LedgerBook::add_work(const EnergyReading& at, double seconds) {
 
 void LedgerBook::add_jump(const EnergyReading& before, const EnergyReading& after, ExactSum LedgerBook::*cause) {
   (this->*cause).add(after.energy() - before.energy());
-  for (std::size_t i = 0; i < work.size(); ++i) work[i].add(before.potential[i] - after.potential[i]);
 }
 
 EnergyReading World::read_energy() const {
@@ -213,7 +219,8 @@ Ledger World::ledger() const {
   const EnergyReading now = read_energy(), &then = book_->initial;
   Ledger all{book_->from, time(), then.kinetic, now.kinetic, {}};
   const auto line = [&](const std::string& name, bool has_energy, std::size_t i) {
-    all.lines.push_back({name, book_->work[i].total(), has_energy, then.potential[i], now.potential[i]});
+    const double before = then.potential[i], after = now.potential[i];
+    all.lines.push_back({name, book_->work[i].total() - (after - before), has_energy, before, after});
   };
   std::size_t i = 0;
   for (; i < local_effects().size(); ++i) {
@@ -224,6 +231,7 @@ Ledger World::ledger() const {
   for (const PairSystem& system : pair_systems_) line(system.name(), system.info->description.has_energy, i++);
   for (const UserEffect& user : users_) line(user.name, false, i++);
   if (penalty_) line("contacts", true, i);
+  if (penalty_ && penalty_->remembers()) all.lines.back().work = book_->work[i].total();
   if (impulse_) all.lines.push_back({"contacts", book_->contacts.total()});
   if (book_->outside.total() != 0) all.lines.push_back({"from outside", book_->outside.total()});
   return all;

@@ -23,7 +23,7 @@ struct ExactSum {
 /// bodies, user effects, penalty contacts.
 struct EnergyReading {
   Ledger::Kinetic kinetic;
-  std::vector<double> power;      ///< [W]
+  std::vector<double> power;      ///< of what does not come back [W]
   std::vector<double> potential;  ///< [J]
 
   explicit EnergyReading(std::size_t lines) : power(lines), potential(lines) {}

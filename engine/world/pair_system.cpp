@@ -90,24 +90,33 @@ double PairSystem::energy(const std::vector<Group>& groups, Workers& workers) {
 }
 
 double PairSystem::power(const std::vector<Group>& groups, Workers& workers) {
+  const bool keeps = info->description.has_energy;
+  if (keeps && !reads_velocity_) return 0;
   PairBodies bodies = in_state(groups, workers);
   std::array<AlignedArray<Real>, 3> force;
-  for (std::size_t c = 0; c < 3; ++c) {
-    force[c] = AlignedArray<Real>(padded(count_ * copies_));
-    bodies.force[c] = force[c].data();
-  }
-  effect->add_forces(bodies, workers);
-  double sum = 0;
-  for (const SlotRange& range : ranges) {
-    const auto& velocity = groups[range.group].kernel.state.velocity;
-    for (std::size_t i = 0; i < range.count; ++i) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        sum += static_cast<double>(force[c].data()[range.first_slot + i]) *
-               static_cast<double>(velocity[c][range.first_row + i]);
+  AlignedArray<Real> rest(padded(count_ * copies_));
+  const auto power_now = [&] {
+    for (std::size_t c = 0; c < 3; ++c) {
+      force[c] = AlignedArray<Real>(padded(count_ * copies_));
+      bodies.force[c] = force[c].data();
+    }
+    effect->add_forces(bodies, workers);
+    double sum = 0;
+    for (const SlotRange& range : ranges) {
+      const auto& velocity = groups[range.group].kernel.state.velocity;
+      for (std::size_t i = 0; i < range.count; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          sum += static_cast<double>(force[c].data()[range.first_slot + i]) *
+                 static_cast<double>(velocity[c][range.first_row + i]);
+        }
       }
     }
-  }
-  return sum;
+    return sum;
+  };
+  const double all = power_now();
+  if (!keeps) return all;
+  for (const Real*& velocity : bodies.velocity) velocity = rest.data();
+  return all - power_now();  // what it would do at rest as well comes back
 }
 
 void PairSystem::explain(const std::vector<Group>& groups, int calls, Explanation& all) const {

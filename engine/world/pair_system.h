@@ -28,7 +28,7 @@ class PairSystem {
   /// Adds the forces in the trial state of these copies to the sums of the groups.
   void add_forces(const std::vector<Group>& groups, const CopyRange& range, Workers& workers);
   double energy(const std::vector<Group>& groups, Workers& workers);
-  double power(const std::vector<Group>& groups, Workers& workers);  ///< of the forces in the state [W]
+  double power(const std::vector<Group>& groups, Workers& workers);  ///< but for what its energy keeps [W]
   void explain(const std::vector<Group>& groups, int calls, Explanation& all) const;
   std::size_t count() const { return count_; }  ///< bodies of a copy
   std::size_t copies() const { return copies_; }

@@ -69,9 +69,9 @@ struct LedgerLine {
   double gain() const { return work + final - initial; }
 };
 
-/// Where the energy went since the ledger was opened. Work is force times velocity (and torque times angular velocity)
-/// over time, integrated between the steps' ends for itself: so what is left of the change of the kinetic energy is
-/// the error of the integrator.
+/// Where the energy went since the ledger was opened. Work is force times velocity (and torque times angular velocity),
+/// integrated for itself between the steps' ends; where an effect has an energy, what that lost, and the integral of
+/// the rest of the force. What is left of the change of the kinetic energy is the error of the integrator.
 struct Ledger {
   struct Kinetic {
     double translation = 0, rotation = 0;  ///< [J]; translation with that of the fluid that moves along (added_mass)

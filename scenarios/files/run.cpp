@@ -105,11 +105,11 @@ class Run {
         hooks_(hooks),
         pace_(file.scene.run),
         world_(file.scene, options),
-        initial_(world_.totals()),
+        initial_(opened(world_, hooks).totals()),
         path_(world_.explain().path),
         events_(file, world_),
         driver_(world_, events_, hooks, pace_),
-        judge_(file, opened(world_, hooks), report()) {
+        judge_(file, world_, report()) {
     plan();
   }
 

@@ -62,7 +62,7 @@ TEST_CASE("Ledger: linear drag takes what the closed form says", "[physics]") {
 TEST_CASE("Ledger: a damped spring, potential and loss apart", "[physics]") {
   // x'' = -k x - c x': the spring takes c x'^2 for good; by the closed form x = e^-gt (cos wt + g/w sin wt).
   const double k = 25, c = 0.8, T = 3, g = c / 2, w = std::sqrt(k - g * g);
-  const Ledger ledger = booked(scene(particle({1, 0, 0}), {spring(k, c)}, T, 2e-3));
+  const Ledger ledger = booked(scene(particle({1, 0, 0}), {spring(k, c)}, T, 5e-4));
   const double x = std::exp(-g * T) * (std::cos(w * T) + g / w * std::sin(w * T));
   const double v = -std::exp(-g * T) * k / w * std::sin(w * T);
   const LedgerLine& of = line(ledger, "spring");
@@ -103,7 +103,7 @@ TEST_CASE("Ledger: on conservative scenes the integrator's error falls with its 
       return run;
     }();
     const double drift = std::abs(world.totals().energy() - World(orbit(0.3, T, h, row.name)).totals().energy());
-    CHECK(std::abs(fine - drift) < 0.05 * drift + 1e-13);
+    CHECK(std::abs(fine - drift) < 1e-13);
   }
 }
 
@@ -193,7 +193,7 @@ TEST_CASE("Ledger: contacts take 1 - e^2 of an impact, under both formulations",
   using namespace contact_scenes;
   for (const char* kind : {"impulse", "penalty"}) {
     CAPTURE(kind);
-    Scene made = touching_scene(1e-4, {0.5, 0}, "velocity_verlet");
+    Scene made = touching_scene(1e-5, {0.5, 0}, "velocity_verlet");
     made.contact.kind = kind;
     if (made.contact.kind == "penalty") made.contact.stiffness = 1e6;
     made.bodies = {ball_group({{0, 0, 0}, {1.05, 0, 0}}, {{1, 0, 0}, {-1, 0, 0}})};
@@ -202,7 +202,9 @@ TEST_CASE("Ledger: contacts take 1 - e^2 of an impact, under both formulations",
     const LedgerLine& contacts = line(ledger, "contacts");
     CHECK(std::abs(contacts.work + 0.75) < 0.01);
     CHECK(std::abs(contacts.gain() + 0.75) < 0.01);
-    CHECK(std::abs(ledger.integrator_error()) < 2e-3);
+    // 2 xi sqrt(k m / 2) for e = 0.5: within a step it begins to take 4 times so much a second.
+    const double dashpot = made.contact.kind == "penalty" ? 0.4309 * std::sqrt(0.5e6) : 0;
+    CHECK(std::abs(ledger.integrator_error()) < 4 * dashpot * made.run.step + 1e-12);
   }
 }
 

@@ -75,7 +75,7 @@ class Catalogue(CommandTest):
     def test_the_example_of_each_effect_is_a_scene(self):
         for effect in self.json("list", "effects"):
             example = self.json("describe", effect["name"])["example"]
-            plain = BALL[:BALL.index("[[effects]]")].replace("mass", "inertia = [[1.0, 1.0, 1.0]]\nmass")
+            plain = BALL[:BALL.index("[[effects]]")].replace("mass", "inertia = [[1.0, 1.0, 1.0]]\nradius = 0.5\nmass")
             self.call("check", self.write("example.toml", plain + example))
 
     def test_the_scene_file_is_described(self):

@@ -220,7 +220,12 @@ Ledger World::ledger() const {
   Ledger all{book_->from, time(), then.kinetic, now.kinetic, {}};
   const auto line = [&](const std::string& name, bool has_energy, std::size_t i) {
     const double before = then.potential[i], after = now.potential[i];
-    all.lines.push_back({name, book_->work[i].total() - (after - before), has_energy, before, after});
+    const auto same = [&](const LedgerLine& other) { return other.name == name; };  // two networks of bonds
+    auto of = std::find_if(all.lines.begin(), all.lines.end(), same);
+    if (of == all.lines.end()) of = all.lines.insert(of, {.name = name});
+    of->work += book_->work[i].total() - (after - before);
+    of->has_energy |= has_energy;
+    of->initial += before, of->final += after;
   };
   std::size_t i = 0;
   for (; i < local_effects().size(); ++i) {

@@ -48,7 +48,7 @@ Json json_of(const Ledger::Kinetic& kinetic) {
   return {{"translation", kinetic.translation}, {"rotation", kinetic.rotation}};
 }
 
-/// By name; of two effects of one kind, as two, the sum stands there.
+/// Lines by name: no two have the same.
 Json json_of(const std::optional<Ledger>& ledger) {
   if (!ledger) return nullptr;
   Json lines = Json::object();

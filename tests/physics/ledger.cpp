@@ -143,6 +143,13 @@ TEST_CASE("Ledger: forces between bodies", "[physics]") {
   CHECK(std::abs(line(kept, "mutual_gravity").gain()) < 1e-8);
   CHECK(std::abs(line(kept, "bonds").gain()) < 1e-8);
   CHECK(std::abs(line(kept, "bonds").work) > 0.1);
+  Scene split = bound(0);  // one more network of bonds, on the line of the first
+  split.effects.push_back(split.effects[1]);
+  split.effects[1].parameters["stiffness"] = split.effects[2].parameters["stiffness"] = std::vector<double>{20};
+  const Ledger both = booked(split);
+  CHECK(both.lines.size() == kept.lines.size());
+  CHECK(std::abs(line(both, "bonds").work - line(kept, "bonds").work) < 1e-12);
+  CHECK(std::abs(both.integrator_error()) < 1e-8);
   const Ledger damped = booked(bound(3));
   CHECK(std::abs(damped.integrator_error()) < 1e-8);
   CHECK(line(damped, "bonds").gain() < -0.1);

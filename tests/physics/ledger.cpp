@@ -107,7 +107,7 @@ TEST_CASE("Ledger: on conservative scenes the integrator's error falls with its 
   }
 }
 
-TEST_CASE("Ledger: a field that only turns does no work; frames and fields that push do", "[physics]") {
+TEST_CASE("Ledger: a field that only turns does no work, frames and fields that push do", "[physics]") {
   const Ledger turning =
       booked(scene(particle({1, 0, 0}, {0, 1, 0.3}), {magnetic_field(2, {0.1, -0.4, 1})}, 3, 1e-3, "boris"));
   CHECK(std::abs(line(turning, "magnetic_field").work) < 1e-14);
@@ -172,7 +172,7 @@ TEST_CASE("Ledger: a user's drag and the built-in one", "[physics]") {
   CHECK(std::abs(work - line(booked(built_in), "linear_drag").work) < 1e-13);
 }
 
-TEST_CASE("Ledger: impulses and what is set come from outside; windows begin and end between steps", "[physics]") {
+TEST_CASE("Ledger: impulses and what is set come from outside, windows begin and end between steps", "[physics]") {
   const double h = 0.01;
   Scene made = scene(particle({0, 0, 0}, {1, 0, 0}), {gravity()}, 1, h);
   made.effects.push_back({"force", {}, {{"force", Vector3d(2, 0, 0)}, {"at", 0.125}, {"until", 0.3333}}});

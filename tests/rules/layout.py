@@ -1,4 +1,4 @@
-"""Holds the shape of the source tree: file lengths, names at the top, no path of somebody's machine.
+"""Holds the shape of the source tree: file lengths, names at the top, no path of somebody's machine, names of tests.
 usage: layout.py ROOT"""
 
 import re
@@ -11,6 +11,8 @@ LONG, TOO_LONG = 350, 400
 # Home folders, and the places where hosted machines and containers keep checkouts.
 MACHINE_PATH = re.compile(r"(?<![\w.$}/-])/(?:home|Users|root|work|workspace|builds|mnt|media)/[\w.-]+"
                           r"|[A-Z]:\\\\?Users")
+# CMake takes a semicolon for the end of a name: ctest would look for two tests that do not exist.
+SPLIT_TEST_NAME = re.compile(r'TEST_CASE\("[^"]*;')
 
 
 def check_length(name, lines, problems):
@@ -35,6 +37,8 @@ def main():
         for number, line in enumerate(lines, 1):
             if MACHINE_PATH.search(line):
                 problems.append(f"{name}:{number}: a path of one machine: {MACHINE_PATH.search(line)[0]}")
+            if SPLIT_TEST_NAME.search(line):
+                problems.append(f"{name}:{number}: a semicolon in the name of a test, which ctest cannot find")
     source_tree.finish("layout", problems, len(names))
 
 

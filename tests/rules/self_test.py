@@ -28,6 +28,7 @@ BREACHES = [  # rule, file, its text
     ("layout", "docs/page.md", "one page too many\n"),
     ("layout", "engine/core/endless.cpp", "//\n" * 401),
     ("layout", "engine/core/path.cpp", "// see /" + "home/somebody/notes\n"),
+    ("layout", "tests/unit/split.cpp", "TEST_CASE" + '("one; two") {}\n'),
 ]
 
 

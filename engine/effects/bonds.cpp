@@ -9,17 +9,6 @@ namespace {
 
 constexpr std::size_t task_length = 1024;
 
-/// act(i) for i in [first, last), in tasks.
-template <class Act>
-void for_all(std::size_t first, std::size_t last, Workers& workers, Act act) {
-  const std::size_t tasks = (last - first + task_length - 1) / task_length;
-  const auto task = [&](std::size_t t) {
-    const std::size_t begin = first + t * task_length;
-    for (std::size_t i = begin; i < std::min(begin + task_length, last); ++i) act(i);
-  };
-  workers.for_each(tasks, task, tasks < 2 ? 1 : workers.threads());
-}
-
 }  // namespace
 
 Bonds::Bonds(const PairInput& input) : period_(input.period) {
@@ -101,12 +90,12 @@ LinkForce Bonds::force_of(std::size_t copy, const Link& link, const Vector3<Real
 
 void Bonds::add_forces(const PairBodies& bodies, Workers& workers) {
   const std::size_t first = bodies.copies.first, last = bodies.copies.last;
-  for_all(first * bonds_.size(), last * bonds_.size(), workers, [&](std::size_t i) {
+  for_slots(first * bonds_.size(), last * bonds_.size(), task_length, workers, [&](std::size_t i) {
     const Bond& bond = bonds_[i % bonds_.size()];
     const std::size_t start = i / bonds_.size() * bodies.count, a = start + bond.a, b = start + bond.b;
     forces_[i] = force_on_b(i, apart(bodies, a, b), bodies.velocity_of(b) - bodies.velocity_of(a));
   });
-  for_all(first * bodies.count, last * bodies.count, workers, [&](std::size_t i) {
+  for_slots(first * bodies.count, last * bodies.count, task_length, workers, [&](std::size_t i) {
     const std::size_t copy = i / bodies.count, slot = i % bodies.count;
     Vector3<Real> sum;
     for (std::uint32_t e = first_end_[slot]; e < first_end_[slot + 1]; ++e) {

@@ -82,15 +82,6 @@ double MutualGravity::energy(const PairBodies& bodies, Workers& workers) {
   return sum;
 }
 
-/// Every body with each behind it, in that order.
-std::vector<Link> MutualGravity::links() const {
-  std::vector<Link> all;
-  for (std::uint32_t a = 0; a < count_; ++a) {
-    for (std::uint32_t b = a + 1; b < count_; ++b) all.push_back({a, b, static_cast<std::uint32_t>(all.size())});
-  }
-  return all;
-}
-
 LinkForce MutualGravity::force_of(std::size_t, const Link& link, const Vector3<Real>& apart,
                                   const Vector3<Real>&) const {
   using V = Dual<6>;

@@ -158,7 +158,7 @@ class MutualGravity : public PairEffect {
   void add_forces(const PairBodies& bodies, Workers& workers) override;
   double energy(const PairBodies& bodies, Workers& workers) override;
   PairCost cost() const override;
-  std::vector<Link> links() const override;
+  std::vector<Link> links() const override { return all_links(count_); }
   LinkForce force_of(std::size_t copy, const Link& link, const Vector3<Real>& r, const Vector3<Real>& v) const override;
   static EffectDescription description();
 

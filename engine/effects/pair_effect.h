@@ -2,7 +2,9 @@
 // that no order of rows reaches a bit, and adds the force on each; bodies' own effects act after it.
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/core/function_ref.h"
@@ -38,6 +40,28 @@ struct PairBodies {
   }
 };
 
+/// act(slot) for slots [first, last), in tasks.
+template <class Act>
+void for_slots(std::size_t first, std::size_t last, std::size_t task_length, Workers& workers, Act act) {
+  const std::size_t tasks = (last - first + task_length - 1) / task_length;
+  const auto task = [&](std::size_t t) {
+    const std::size_t begin = first + t * task_length;
+    for (std::size_t i = begin; i < std::min(begin + task_length, last); ++i) act(i);
+  };
+  workers.for_each(tasks, task, tasks < 2 ? 1 : workers.threads());
+}
+
+/// Who may be within reach of whom, wherever the bodies go.
+class Neighbours {
+ public:
+  virtual ~Neighbours() = default;
+  /// Before anything is asked of these copies: looks again if a body may have come within reach.
+  virtual void follow(const PairBodies& bodies, Workers& workers) = 0;
+  /// Slots within the copy of at least all bodies within reach of one, in their order, without itself.
+  virtual std::span<const std::uint32_t> of(std::size_t copy, std::size_t slot) const = 0;
+  virtual bool searches() const = 0;  ///< or takes all for neighbours?
+};
+
 /// Memory and arithmetic of one evaluation, for explain.
 struct PairCost {
   double bytes = 0, flops = 0;  ///< for one body
@@ -60,6 +84,7 @@ class PairEffect {
   /// Bound on its stiffness and damping per mass [1/s^2, 1/s]: zero, it sets no limit to the step.
   virtual Stiffness per_mass() const { return {}; }
   virtual PairCost cost() const = 0;
+  virtual bool searches() const { return false; }  ///< does it find near bodies in a grid?
 
   // For implicit integrators: the same forces, pair by pair.
   virtual std::vector<Link> links() const = 0;  ///< of one copy
@@ -67,6 +92,15 @@ class PairEffect {
   virtual LinkForce force_of(std::size_t copy, const Link& link, const Vector3<Real>& r,
                              const Vector3<Real>& v) const = 0;
 };
+
+/// Every body with each behind it, in that order.
+inline std::vector<Link> all_links(std::size_t count) {
+  std::vector<Link> all;
+  for (std::uint32_t a = 0; a < count; ++a) {
+    for (std::uint32_t b = a + 1; b < count; ++b) all.push_back({a, b, static_cast<std::uint32_t>(all.size())});
+  }
+  return all;
+}
 
 /// Variables of LinkForce, from the first on.
 inline LinkForce as_variables(const Vector3<Real>& a, int first) {
@@ -80,6 +114,8 @@ struct PairInput {
   FunctionRef<std::size_t(std::size_t id)> slot_of;
   PairKernels kernels;
   Period period;  ///< of the scene's space
+  FunctionRef<std::unique_ptr<Neighbours>(Real reach)> neighbours;
+  Workers& workers;
 };
 
 struct PairEffectInfo {

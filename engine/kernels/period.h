@@ -14,9 +14,10 @@ struct Period {
   bool any() const { return length[0] > 0 || length[1] > 0 || length[2] > 0; }
 };
 
-/// The nearest of a distance's images.
+/// The nearest of a distance's images: most are it themselves.
 inline Real nearest_image(Real distance, Real period) {
-  return period > 0 ? distance - period * std::floor(distance / period + Real(0.5)) : distance;
+  if (!(period > 0) || std::abs(distance) < Real(0.49) * period) return distance;
+  return distance - period * std::floor(distance / period + Real(0.5));
 }
 
 inline Vector3<Real> nearest_image(const Vector3<Real>& apart, const Period& period) {

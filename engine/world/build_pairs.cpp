@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "engine/world/build.h"
+#include "engine/world/pair_neighbours.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -79,7 +80,10 @@ void Builder::add_pair_system(const Effect& effect) {
       period.length[c] = static_cast<Real>(boundary.size[c]);
     }
   }
-  system.effect = info.make({input, bodies, slot_of, world_.kernels_->pair, period});
+  const auto neighbours = [&](Real reach) -> std::unique_ptr<Neighbours> {
+    return std::make_unique<PairNeighbours>(reach, count, world_.copies_, period);
+  };
+  system.effect = info.make({input, bodies, slot_of, world_.kernels_->pair, period, neighbours, world_.workers_});
   world_.pair_systems_.push_back(std::move(system));
 }
 

@@ -90,9 +90,18 @@ struct ContactCheck {
       problems.add(path("open"), "leaves out faces, which only a box has that is seen from inside");
     }
     if (wall.motion) check_motion(i, *wall.motion);
-    if (scene.contact.kind.empty()) {
-      problems.add(path("shape"), "needs contacts, expected [contact] with a kind, e.g. \"impulse\"");
+    if (scene.contact.kind.empty() && !(periodic && acts_between_bodies())) {
+      problems.add(path("shape"), fmt::format("needs contacts{}, expected [contact] with a kind, e.g. \"impulse\"",
+                                              periodic ? " or an effect between bodies" : ""));
     }
+  }
+
+  /// Such effects reach for nearest images.
+  bool acts_between_bodies() const {
+    return std::any_of(scene.effects.begin(), scene.effects.end(), [](const Effect& effect) {
+      const EffectDescription* description = find_effect(effect.kind);
+      return description && description->between_bodies;
+    });
   }
 
   void check_motion(std::size_t i, const Motion& motion) {

@@ -138,7 +138,7 @@ struct EffectCheck {
                    fmt::format("is {} s, expected a time after at = {} s", text(std::get<double>(until->second)),
                                text(std::get<double>(at->second))));
     }
-    check_space();
+    check_space(parameters);
     check_pairs(description, parameters);
     for (const BodyGroup& group : scene.bodies) {
       if (!acts_on(effect, group)) continue;
@@ -155,12 +155,22 @@ struct EffectCheck {
     }
   }
 
-  /// Every body attracts every other: images without end do not add up.
-  void check_space() {
-    if (effect.kind != "mutual_gravity") return;
+  /// Of a body's images at most one may act: of those without end the sum has no limit.
+  void check_space(const std::map<std::string, Value>& parameters) {
+    const auto cutoff = parameters.find("cutoff");
     for (const Boundary& boundary : scene.boundaries) {
       if (boundary.shape != "periodic") continue;
-      problems.add(path("kind"), "mutual_gravity acts over all of space, expected no periodic boundary");
+      if (effect.kind == "mutual_gravity") {
+        problems.add(path("kind"), "mutual_gravity acts over all of space, expected no periodic boundary");
+      }
+      for (int c = 0; c < 3 && cutoff != parameters.end(); ++c) {
+        const double reach = std::get<double>(cutoff->second), length = boundary.size[c];
+        if (!(length > 0) || 2 * reach <= length) continue;
+        problems.add(path("cutoff"),
+                     fmt::format("is {} m, expected at most {} m, half of the length after which space repeats",
+                                 text(reach), text(length / 2)));
+        break;
+      }
     }
   }
 

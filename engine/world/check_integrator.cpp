@@ -36,6 +36,13 @@ bool reads_velocity(const Effect& effect, const EffectDescription& description) 
   return list && std::any_of(list->begin(), list->end(), [](double c) { return c != 0; });
 }
 
+/// Does it act between all bodies, or between listed pairs?
+bool joins_all(const EffectDescription& description) {
+  return description.between_bodies &&
+         std::none_of(description.parameters.begin(), description.parameters.end(),
+                      [](const ParameterInfo& info) { return info.kind == ParameterKind::pairs; });
+}
+
 template <class Is>
 bool any_law(const Scene& scene, Is is) {
   const std::vector<std::string> names = materials_in_use(scene);
@@ -115,14 +122,14 @@ std::string without_derivatives(const Scene& scene, int stages) {
   constexpr std::size_t most = 1200, of_particle = 6, of_rigid_body = 13;
   if (scene.contact.kind == "penalty" && touches(scene)) return "penalty contacts give no derivatives";
   for (const Effect& effect : scene.effects) {
-    if (effect.kind != "mutual_gravity") continue;
+    if (!joins_all(*find_effect(effect.kind))) continue;
     std::size_t values = 0;
     for (const BodyGroup& group : scene.bodies) {
       if (acts_on(effect, group)) values += body_count(group) * (rotates(group) ? of_rigid_body : of_particle);
     }
     const std::size_t unknowns = values * static_cast<std::size_t>(stages);
     if (unknowns <= most) continue;
-    return fmt::format("mutual_gravity joins {} unknowns, more than the {} that Newton's method is good for", unknowns,
+    return fmt::format("{} joins {} unknowns, more than the {} that Newton's method is good for", effect.kind, unknowns,
                        most);
   }
   return "";

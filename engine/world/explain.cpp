@@ -43,9 +43,12 @@ std::vector<std::string> what_is_off(const std::vector<Group>& groups, const std
   if (none([](const Group& g) { return g.spins(); })) off.push_back("angular momentum");
   if (fused) off.push_back("rate columns and passes for each stage");
   if (none([](const Group& g) { return g.force_sums[0] != nullptr; })) off.push_back("force sums");
-  if (!contacts) {
-    for (const char* part : {"grid", "pairs", "contacts"}) off.push_back(part);
+  const bool searches =
+      contacts || std::any_of(pairs.begin(), pairs.end(), [](const auto& p) { return p.effect->searches(); });
+  for (const char* part : {"grid", "pairs"}) {
+    if (!searches) off.push_back(part);
   }
+  if (!contacts) off.push_back("contacts");
   for (std::size_t e = 0; e < LocalEffects::count; ++e) {
     if (none([e](const Group& g) { return !g.effects[e].empty(); })) {
       off.push_back(local_effects()[e].description.name);

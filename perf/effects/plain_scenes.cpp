@@ -1,4 +1,6 @@
 // The plainest bodies that an effect acts on.
+#include <cmath>
+
 #include "perf/effects/prices.h"
 #include "perf/effects/sample.h"
 
@@ -7,6 +9,13 @@ namespace ballpark::cost {
 namespace {
 
 constexpr double step = 1e-4;  ///< [s]
+constexpr double side = 100;   ///< of the cube that bodies are spread in [m]
+
+/// Of forces that end: within it, each body has some fifty others, as in a liquid.
+double cutoff_among(std::size_t bodies) {
+  constexpr double others = 50, four_thirds_pi = 4.18879;
+  return side * std::cbrt(others / (four_thirds_pi * static_cast<double>(bodies)));
+}
 
 BodyGroup particles(std::size_t bodies) {
   BodyGroup group;
@@ -15,7 +24,7 @@ BodyGroup particles(std::size_t bodies) {
   group.generate = Generate{};
   group.generate->kind = "random";
   group.generate->count = {bodies};
-  group.generate->upper = Vector3d(100, 100, 100);
+  group.generate->upper = Vector3d(side, side, side);
   group.generate->velocity_spread = Vector3d(20, 20, 20);
   return group;
 }
@@ -54,6 +63,8 @@ std::optional<PlainScenes> plain_scenes(const EffectDescription& effect, std::si
     scenes.without.bodies = {kind.group(bodies)};
     scenes.with = scenes.without;
     scenes.with.effects = {perf::sample_of(effect, bodies)};
+    std::map<std::string, Value>& parameters = scenes.with.effects[0].parameters;
+    if (parameters.count("cutoff") > 0) parameters["cutoff"] = cutoff_among(bodies);
     const std::vector<Problem> problems = check(scenes.with);
     if (problems.empty()) return scenes;
     why = problems.front().path + ": " + problems.front().message;

@@ -38,8 +38,12 @@ Made bob() {
 
 TEST_CASE("Closed forms: an effect that no form knows is refused by all", "[cost]") {
   const std::vector<Effect> strangers = {effect("force", {{"force", Vector3d(0, 0, 1)}}),
-                                         effect("torque", {{"torque", Vector3d(0, 0, 1)}}), effect("mutual_gravity"),
-                                         effect("bonds"), effect("wind of the user's")};
+                                         effect("torque", {{"torque", Vector3d(0, 0, 1)}}),
+                                         effect("mutual_gravity"),
+                                         effect("bonds"),
+                                         effect("lennard_jones"),
+                                         effect("soft_repulsion"),
+                                         effect("wind of the user's")};
   const std::vector<Made> bodies = {particle({1, 0, 0}, {0, 1, 0}).with(pull),
                                     particle({1, 0, 0}, {0, 0, 1}).with(pull).with(air),
                                     particle({1, 0, 0}, {0, 1, 0}).with(spring(5, 0)),

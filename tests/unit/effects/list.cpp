@@ -8,9 +8,11 @@
 #include "engine/effects/local_effects.h"
 #include "engine/effects/pair_effects.h"
 #include "engine/world/interface.h"
+#include "engine/world/pair_neighbours.h"
 #include "tests/catch.h"
 
 using namespace ballpark::BALLPARK_PRECISION;
+using ballpark::Workers;
 
 namespace {
 
@@ -29,7 +31,8 @@ const std::map<std::string, Abilities> abilities = {
     {"harmonic_trap", {true, true, false, true}},    {"buoyancy", {true, true, false, false}},
     {"reynolds_drag", {false, true, false, true}},   {"spin_decay", {false, true, false, true}},
     {"added_mass", {true, true, false, false}},      {"wind", {false, true, false, false}},
-    {"gusts", {false, true, false, false}},
+    {"gusts", {false, true, false, false}},          {"lennard_jones", {true, false, false, true}},
+    {"soft_repulsion", {true, false, false, true}},
 };
 
 }  // namespace
@@ -75,9 +78,13 @@ TEST_CASE("Effect list: what an effect offers is found in its code", "[effects]"
 
 TEST_CASE("Effect list: effects between bodies have an energy, no force derivative, and stiffness if they say so",
           "[effects]") {
-  const Real mass[2] = {1, 1}, zero[2] = {};
+  const Real mass[2] = {1, 1}, apart[2] = {0, 0.5};
   PairBodies two{.count = 2, .copies = {}, .end = 2, .mass = mass};
-  for (const Real*& column : two.position) column = zero;
+  for (const Real*& column : two.position) column = apart;
+  Workers workers(1);
+  const auto neighbours = [](Real reach) -> std::unique_ptr<Neighbours> {
+    return std::make_unique<PairNeighbours>(reach, 2, 1, Period{});
+  };
   for (const PairEffectInfo& info : pair_effects()) {
     CAPTURE(info.description.name);
     REQUIRE(abilities.count(info.description.name) == 1);
@@ -90,10 +97,13 @@ TEST_CASE("Effect list: effects between bodies have an energy, no force derivati
                                                                {"damping", std::vector<double>{1.0}},
                                                                {"rest_length", std::vector<double>{-1.0}},
                                                                {"strength", 1.0},
-                                                               {"softening", 0.0}};
+                                                               {"softening", 0.0},
+                                                               {"epsilon", 1.0},
+                                                               {"sigma", 1.0},
+                                                               {"cutoff", 1.5}};
     const auto slot_of = [](std::size_t id) { return id; };
     const EffectInput input{parameters, 0, {}};
-    const auto effect = info.make({input, two, slot_of, {}, {}});
+    const auto effect = info.make({input, two, slot_of, {}, {}, neighbours, workers});
     CHECK((effect->per_mass().spring > 0) == owed.stiffness);
     CHECK(effect->cost().flops > 0);
     CHECK(pair_effects()[static_cast<std::size_t>(pair_effect_index(info.description.name))].make == info.make);

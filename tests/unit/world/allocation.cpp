@@ -85,6 +85,26 @@ TEST_CASE("Allocation: none in forces between bodies", "[allocation]") {
   for (const int threads : {1, 2}) CHECK(allocations_of_100_steps(scene, {.threads = threads}) == 0);
 }
 
+TEST_CASE("Allocation: none in forces that end at a cut-off, while neighbours come and go", "[allocation]") {
+  BodyGroup gas = particles("gas", 0);
+  gas.position.clear(), gas.velocity.clear();
+  gas.generate =
+      ballpark::Generate{.kind = "lattice", .count = {8, 8, 8}, .spacing = 1.2, .velocity_spread = {1, 1, 1}};
+  Scene scene = scene_of({gas}, {effect("soft_repulsion", {{"strength", 2.0}, {"cutoff", 1.5}})});
+  ballpark::Boundary space;
+  space.shape = "periodic", space.size = {9.6, 9.6, 9.6};
+  scene.boundaries = {space};
+  for (const int threads : {1, 2}) {
+    World world(scene, {.threads = threads});
+    const ballpark::Snapshot start = world.snapshot();
+    world.step(100);
+    world.restore(start);
+    const std::uint64_t before = allocations();
+    world.step(100);
+    CHECK(allocations() == before);
+  }
+}
+
 TEST_CASE("Allocation: none in steps whose pairs and contacts stay below earlier peaks", "[allocation]") {
   BodyGroup heap = balls("heap", 0);
   heap.position.clear();

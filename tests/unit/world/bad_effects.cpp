@@ -160,6 +160,28 @@ TEST_CASE("Bad effects: pairs of bodies that there are not, and numbers that do 
   CHECK(contains(refused[0].message, "needs the time derivative of every force, which bonds does not give"));
 }
 
+TEST_CASE("Bad effects: forces that end at a cut-off want lengths, and reach no body and its image", "[check]") {
+  const auto message_of = [](const Effect& made) {
+    Scene scene = scene_of({particles("p", 2)}, {made});
+    ballpark::Boundary space;
+    space.shape = "periodic", space.size = {9, 0, 5};
+    scene.boundaries = {space};
+    const std::vector<Problem> found = check(scene);
+    return found.empty() ? "" : found[0].path + " " + found[0].message;
+  };
+  const auto message = [&](double sigma, double cutoff) {
+    return message_of(effect("lennard_jones", {{"epsilon", 1.0}, {"sigma", sigma}, {"cutoff", cutoff}}));
+  };
+  CHECK(message(1, 2.5) == "");
+  CHECK(message(0, 2.5) == "effects[0].sigma is 0, expected a number >= 1e-15 [m]");
+  CHECK(message(1, -1) == "effects[0].cutoff is -1, expected a number >= 1e-15 [m]");
+  CHECK(message(1, 2.6) ==
+        "effects[0].cutoff is 2.6 m, expected at most 2.5 m, half of the length after which space repeats");
+  CHECK(message_of(effect("gravity")) ==
+        "boundaries[0].shape needs contacts or an effect between bodies, expected [contact] with a kind, e.g. "
+        "\"impulse\"");
+}
+
 TEST_CASE("Bad effects: a splitting of order above 2 refuses forces that read velocity, and only those", "[check]") {
   const auto problems = [](const std::string& integrator, const Effect& force) {
     Scene scene = scene_of({particles("p", 2)}, {effect("gravity"), force});

@@ -78,12 +78,12 @@ inline Value any_value(ballpark::ParameterKind kind) {
   return Vector3d(0.4, -0.2, 5);
 }
 
-/// An instance of any effect of the catalogue: what has no default gets a value.
+/// An instance of any effect of the catalogue: what has no default gets a value, by which it reaches its neighbours.
 inline Effect sample(const ballpark::EffectDescription& description) {
   Effect made = effect(description.name);
   for (const ballpark::ParameterInfo& parameter : description.parameters) {
     if (parameter.fallback) continue;
-    made.parameters[parameter.name] = any_value(parameter.kind);
+    made.parameters[parameter.name] = parameter.name == "cutoff" ? Value(3.0) : any_value(parameter.kind);
   }
   return made;
 }

@@ -141,7 +141,7 @@ TEST_CASE("Structure: each effect brings what its nature asks for, and nothing e
       CHECK((all.passes[0].flops_per_body > bare.passes[0].flops_per_body) != in_a_constant);
     }
   }
-  for (const std::string between : {"mutual_gravity", "bonds"}) {
+  for (const std::string between : {"mutual_gravity", "bonds", "lennard_jones", "soft_repulsion"}) {
     const Explanation all = explained(scene_of({balls("g", 2)}, {sample_of(between)}));
     CAPTURE(between);
     covered.push_back(between);
@@ -161,6 +161,14 @@ TEST_CASE("Structure: each effect brings what its nature asks for, and nothing e
   for (const ballpark::EffectDescription& description : ballpark::effects()) {
     CAPTURE(description.name);
     CHECK(contains(covered, description.name));
+  }
+}
+
+TEST_CASE("Structure: forces that end at a cut-off bring a grid where bodies are many", "[structure]") {
+  for (const std::size_t bodies : {64, 65}) {
+    const Explanation all = explained(scene_of({balls("g", bodies)}, {sample_of("soft_repulsion")}));
+    for (const char* part : {"grid", "pairs"}) CHECK(contains(all.off, part) == (bodies == 64));
+    CHECK(contains(all.off, "contacts"));
   }
 }
 

@@ -3,6 +3,7 @@
 // Foerster, Louge, Chang & Allia 1994, Phys. Fluids 6, 1108.)
 #pragma once
 
+#include "engine/core/maths.h"
 #include "engine/kernels/vector3.h"
 
 namespace ballpark::BALLPARK_PRECISION {
@@ -19,8 +20,18 @@ struct ImpactSide {
 
 /// Material of a pair.
 struct ImpactLaw {
-  Real restitution = 1;  ///< e, in [0, 1]
-  Real friction = 0;     ///< mu, not negative
+  Real restitution = 1;        ///< e, in [0, 1]
+  Real friction = 0;           ///< mu, not negative
+  Real restitution_speed = 0;  ///< v0 [m/s]; 0: one restitution for all speeds
+  Real cohesion = 0;           ///< work of adhesion, of contacts that last [J/m^2]
+
+  /// Viscoelastic below v0, plastic above. (McNamara & Falcon 2005, Phys. Rev. E 71, 031302, eq. 1)
+  Real restitution_at(Real approach) const {
+    if (restitution_speed == 0) return restitution;
+    const auto share = static_cast<double>(approach) / static_cast<double>(restitution_speed);
+    if (share > 1) return static_cast<Real>(static_cast<double>(restitution) / __builtin_sqrt(__builtin_sqrt(share)));
+    return static_cast<Real>(1 - (1 - static_cast<double>(restitution)) * maths::pow(share, 0.2));
+  }
 };
 
 /// Velocity of surface 1 over surface 2 at the contact; `normal` points from 1 to 2.

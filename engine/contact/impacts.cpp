@@ -189,7 +189,8 @@ Impacts::Meeting Impacts::meeting_of(const Substep& substep, const ContactSet& s
   meeting.tangent_mass = 1 / (inverse + of_a(bodies.mobility) + bodies.mobility[b]);
   meeting.drift = start_over(substep, contact, wall);
   meeting.base = contact.loaded() ? Real(0) : dot(contact.normal, meeting.drift);
-  meeting.wanted = hit.approach > substep.restitution_threshold ? law.restitution * hit.approach : Real(0);
+  meeting.wanted =
+      hit.approach > substep.restitution_threshold ? law.restitution_at(hit.approach) * hit.approach : Real(0);
   if (bodies.spins) {
     Vector3<Real> surfaces = bodies.surface.at(b);
     if (!wall) surfaces += bodies.surface.at(a);

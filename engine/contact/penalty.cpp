@@ -102,7 +102,7 @@ Penalty::Held Penalty::bear(Contacts& contacts, std::size_t i, const Meeting& me
   const SpringDashpot& law = contacts.laws[i];
   const Touch& touch = meeting.touch;
   const Real pressed = push(law, touch, settings.may_pull);
-  contacts.forces[i] = pressed * touch.normal;
+  contacts.forces[i] = (pressed - law.cohesion) * touch.normal;
   if (contacts.slid.empty()) return {};
   contacts.twists[i] = {};
   if (law.friction == 0) return {};
@@ -258,7 +258,7 @@ double Penalty::energy(double time, Workers& workers) {
   for_meetings(0, bodies.count, [&](Contacts& contacts, std::size_t i, bool touching, const Meeting& meeting) {
     if (!touching) return;
     const SpringDashpot& law = contacts.laws[i];
-    Real stored = law.stiffness * meeting.touch.depth * meeting.touch.depth;
+    Real stored = (law.stiffness * meeting.touch.depth - 2 * law.cohesion) * meeting.touch.depth;
     if (!contacts.slid.empty() && law.slide_stiffness > 0) {  // of a spring that slips, what friction holds
       const Real most = law.friction * std::max(Real(0), push(law, meeting.touch, settings.may_pull));
       const Real held = std::min(law.slide_stiffness * length(contacts.slid[i]), most);

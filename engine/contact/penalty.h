@@ -107,7 +107,9 @@ class Penalty : public ContactScene {
     Real damping = 0;  ///< of all of them per mass, along or across the normal [1/s]
   };
 
-  SpringDashpot law_of(std::uint16_t material, std::uint16_t other, Real inverse_mass, Real mobility) const;
+  /// radius: R1 R2 / (R1 + R2) of a pair.
+  SpringDashpot law_of(std::uint16_t material, std::uint16_t other, Real inverse_mass, Real mobility,
+                       Real radius) const;
   Real stiffness_per_mass(std::size_t slot) const;
   Real damping_per_mass(const SpringDashpot& law, std::size_t slot) const;
   void keep_list(double time, Real h, Workers& workers);

@@ -14,6 +14,7 @@ struct SpringDashpot {
   Real slide_stiffness = 0;  ///< of the tangential spring [N/m]
   Real slide_damping = 0;    ///< [N s/m]
   Real friction = 0;         ///< mu
+  Real cohesion = 0;         ///< pulls while the surfaces touch [N]
 };
 
 /// Where a contact is and how it moves. Velocities are of b over a.

@@ -18,7 +18,9 @@ void Penalty::prepare() {
   ahead_.resize(bodies.count);
 }
 
-SpringDashpot Penalty::law_of(std::uint16_t material, std::uint16_t other, Real inverse_mass, Real mobility) const {
+SpringDashpot Penalty::law_of(std::uint16_t material, std::uint16_t other, Real inverse_mass, Real mobility,
+                              Real radius) const {
+  constexpr Real two_pi = Real(6.283185307179586476925L);
   const double ratio = ratios_[material * laws.materials + other];
   const auto damping = [&](Real stiffness, Real inverse) {
     return static_cast<Real>(2 * ratio) * square_root(stiffness / inverse);
@@ -27,6 +29,7 @@ SpringDashpot Penalty::law_of(std::uint16_t material, std::uint16_t other, Real 
   law.stiffness = settings.stiffness;
   law.damping = damping(law.stiffness, inverse_mass);
   law.friction = laws.of(material, other).friction;
+  law.cohesion = two_pi * laws.of(material, other).cohesion * radius;
   if (law.friction == 0) return law;
   law.slide_stiffness = settings.slide_stiffness;
   law.slide_damping = damping(law.slide_stiffness, inverse_mass + mobility);
@@ -92,11 +95,12 @@ void Penalty::set_laws() {
     const Real inverse_mass = bodies.inverse_mass[a], mobility = bodies.mobility[a];
     for (std::uint32_t i = list_.first[a]; i < list_.first[a + 1]; ++i) {
       const std::uint32_t b = list_.other[i];
-      pairs_.laws[i] =
-          law_of(material, bodies.material[b], inverse_mass + bodies.inverse_mass[b], mobility + bodies.mobility[b]);
+      const Real r = bodies.radius[a], other = bodies.radius[b];
+      pairs_.laws[i] = law_of(material, bodies.material[b], inverse_mass + bodies.inverse_mass[b],
+                              mobility + bodies.mobility[b], r * other / (r + other));
     }
     for (std::uint32_t i = first_wall_[a]; i < first_wall_[a + 1]; ++i) {
-      walls_.laws[i] = law_of(walls[wall_[i]].material, material, inverse_mass, mobility);
+      walls_.laws[i] = law_of(walls[wall_[i]].material, material, inverse_mass, mobility, bodies.radius[a]);
     }
   }
 }

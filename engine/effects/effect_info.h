@@ -2,6 +2,7 @@
 //   Constants                                    its parameters as Real, packed once at build
 //   force(constants, body, loads)                adds to the loads; a template on the vector type
 //   feels_flow                                   optional: its velocity is relative to the fluid
+//   reads_loads                                  optional: it answers to the loads that are summed before it
 //   force_rate(constants, body, a, load_rates)   optional: adds the time derivative of its loads (Taylor-2)
 //   turning(constants, body)                     optional: W [1/s] of m W x v, which then is all of its force that
 //                                                reads velocity (Boris)
@@ -94,6 +95,7 @@ struct EffectInput {
     double radius, mass;  ///< the latter with added mass
   };
   std::vector<Size> sizes = {};  ///< likewise, of each body, or one if all are alike
+  PerBody inverse_inertia = {};  ///< of bodies that spin, about the first axis [1/(kg m^2)]
 
   Real number(const std::string& name) const { return static_cast<Real>(exact(name)); }
   double exact(const std::string& name) const { return std::get<double>(parameters.at(name)); }
@@ -126,6 +128,7 @@ struct EffectInfo {
   RowChoice* (*rows)(void* constants) = nullptr;                         ///< null: acts on all rows
   Real (*added_mass)(const void* constants, std::size_t row) = nullptr;  ///< null: adds none
   bool flows = false, pushes = false;                                    ///< has a flow, a force
+  bool reads_loads = false;                                              ///< of all that stand before it
   bool reads(const char* column) const { return contains(description.reads, column); }
   bool exerts(const char* load) const { return contains(description.exerts, load); }
 
@@ -164,6 +167,9 @@ EffectInfo effect_info() {
   };
   info.pushes = requires(const Constants& c, const Body<Real>& b, Loads<Real>& l) {
     E::force(c, b, l);
+  };
+  info.reads_loads = requires {
+    E::reads_loads;
   };
   if (info.flows) info.description.has_force_derivative = true;
   info.description.turns_velocity = requires(const Constants& c, const Body<Real>& b) {

@@ -1,6 +1,7 @@
 #include "engine/effects/local_effects.h"
 
 #include "engine/effects/pair_effects.h"
+#include "engine/effects/step_effect.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -30,6 +31,7 @@ std::vector<EffectDescription> describe_effects() {
   for (const EffectInfo& info : local_effects()) all.push_back(info.description);
   all.push_back(Pivot::description());
   for (const PairEffectInfo& info : pair_effects()) all.push_back(info.description);
+  for (const StepEffectInfo& info : step_effects()) all.push_back(info.description);
   return all;
 }
 

@@ -1,5 +1,6 @@
 // The effects of this build. To add one: write its file beside the others, include it here and name it in the list.
-// Loads are summed in this order, and those of one kind by their parameters, whatever the order in the scene.
+// Loads are summed in this order, and those of one kind by their parameters, whatever the order in the scene. What
+// reads loads stands behind what adds them.
 #pragma once
 
 #include "engine/effects/added_mass.h"
@@ -20,6 +21,7 @@
 #include "engine/effects/rotating_frame.h"
 #include "engine/effects/spin_decay.h"
 #include "engine/effects/spring.h"
+#include "engine/effects/table.h"
 #include "engine/effects/wind.h"
 
 namespace ballpark::BALLPARK_PRECISION {
@@ -31,7 +33,7 @@ struct EffectList {
 
 using LocalEffects = EffectList<Gravity, LinearDrag, QuadraticDrag, Magnus, Spring, CentralGravity, ElectricField,
                                 MagneticField, RotatingFrame, AppliedForce, AppliedTorque, HarmonicTrap, Buoyancy,
-                                ReynoldsDrag, SpinDecay, AddedMass, Wind, Gusts>;
+                                ReynoldsDrag, SpinDecay, AddedMass, Wind, Gusts, Table>;
 
 /// One effect on a group: which of the list, and its Constants.
 struct EffectInstance {

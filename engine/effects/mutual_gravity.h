@@ -1,12 +1,14 @@
-// Attraction of all bodies by each other: F_i = sum_j G m_i m_j r_ij / (r_ij^2 + s^2)^(3/2), r_ij from i to j.
-// Every pair is looked at from both sides: lanes over bodies, each summing over the others in the order of ids. Of
-// woven copies, lanes are over copies and a pair is looked at once; both give the same bits.
+// Attraction of all bodies by each other: F_i = sum_j G m_i m_j r_ij / (r_ij^2 + s^2)^(3/2), r_ij from i to j; or, with
+// an opening angle, far bodies together (gravity_tree.h). Every pair is looked at from both sides: lanes over bodies,
+// each summing over the others in the order of ids. Of woven copies, lanes are over copies and a pair is looked at
+// once; both give the same bits.
 #pragma once
 
 #include "engine/effects/pair_kernels.h"
 #include "engine/kernels/vector3.h"
 
 #ifndef BALLPARK_TARGET
+#include "engine/effects/gravity_tree.h"
 #include "engine/effects/pair_effect.h"
 #endif
 
@@ -145,9 +147,80 @@ static void woven_attraction_energy(const Attraction& a, Real* energy) {
   });
 }
 
+/// Calls act(first body, positions) for each vector of bodies.
+template <class V, class Act>
+BALLPARK_INLINE void over_pulled(const Pull& p, Act act) {
+  for (std::size_t i = 0; i < p.bodies; i += lane_count<V>) act(i, load_vector<V>(p.position, i));
+}
+template <class V>
+BALLPARK_INLINE Vector3<V> source_at(const Real* const* columns, std::size_t j) {
+  return {V(columns[0][j]), V(columns[1][j]), V(columns[2][j])};
+}
+
+/// Second moments S of a cell, r from its centre to a body, R^2 = r^2 + s^2: the potential of its bodies is
+/// -M / R - (3 rSr / R^5 - tr S / R^3) / 2 to second order, and they pull by its slope.
+template <class V>
+struct CellMoments {
+  Vector3<V> turned;  ///< S r
+  V along, trace;     ///< rSr, tr S
+
+  BALLPARK_INLINE CellMoments(const Real* const* cells, std::size_t j, const Vector3<V>& r) {
+    const V xx(cells[4][j]), yy(cells[5][j]), zz(cells[6][j]), xy(cells[7][j]), xz(cells[8][j]), yz(cells[9][j]);
+    turned = {xx * r.x + xy * r.y + xz * r.z, xy * r.x + yy * r.y + yz * r.z, xz * r.x + yz * r.y + zz * r.z};
+    along = dot(r, turned);
+    trace = xx + yy + zz;
+  }
+};
+
+template <class V>
+static void pull(const Pull& p, Real* const* acceleration) {
+  const V one = V(Real(1)), softening = V(p.softening_squared);
+  over_pulled<V>(p, [&](std::size_t i, const Vector3<V>& x) BALLPARK_INLINE_LAMBDA {
+    Vector3<V> sum;
+    for (std::size_t j = 0; j < p.point_count; ++j) {
+      const Vector3<V> r = source_at<V>(p.points, j) - x;
+      sum += (V(p.points[3][j]) * inverse_cube(dot(r, r) + softening)) * r;
+    }
+    for (std::size_t j = 0; j < p.cell_count; ++j) {
+      const Vector3<V> r = x - source_at<V>(p.cells, j);
+      const CellMoments<V> s(p.cells, j, r);
+      const V inverse = one / square_root(dot(r, r) + softening), square = inverse * inverse, cube = square * inverse;
+      const V fifth = cube * square, twice = V(Real(1.5)) * s.trace - V(Real(7.5)) * (s.along * square);
+      sum += (V(Real(3)) * fifth) * s.turned;
+      sum += (fifth * twice - V(p.cells[3][j]) * cube) * r;
+    }
+    store(acceleration[0] + i, sum.x);
+    store(acceleration[1] + i, sum.y);
+    store(acceleration[2] + i, sum.z);
+  });
+}
+
+/// Of the body itself as well, at a distance of zero: the caller takes that back where there is softening.
+template <class V>
+static void pull_potential(const Pull& p, Real* potential) {
+  const V zero = V(Real(0)), one = V(Real(1)), softening = V(p.softening_squared);
+  over_pulled<V>(p, [&](std::size_t i, const Vector3<V>& x) BALLPARK_INLINE_LAMBDA {
+    V sum = zero;
+    for (std::size_t j = 0; j < p.point_count; ++j) {
+      const Vector3<V> r = source_at<V>(p.points, j) - x;
+      const V square = dot(r, r) + softening;
+      sum -= select(square > zero, V(p.points[3][j]) / square_root(square), zero);
+    }
+    for (std::size_t j = 0; j < p.cell_count; ++j) {
+      const Vector3<V> r = x - source_at<V>(p.cells, j);
+      const CellMoments<V> s(p.cells, j, r);
+      const V inverse = one / square_root(dot(r, r) + softening), square = inverse * inverse;
+      const V shape = V(Real(1.5)) * (s.along * square) - V(Real(0.5)) * s.trace;
+      sum -= inverse * (V(p.cells[3][j]) + square * shape);
+    }
+    store(potential + i, sum);
+  });
+}
+
 template <class V>
 constexpr PairKernels pair_kernels() {
-  return {&attract<V>, &attraction_energy<V>, &attract_woven<V>, &woven_attraction_energy<V>};
+  return {&attract<V>, &attraction_energy<V>, &attract_woven<V>, &woven_attraction_energy<V>,
+          &pull<V>,    &pull_potential<V>};
 }
 
 #ifndef BALLPARK_TARGET
@@ -157,7 +230,7 @@ class MutualGravity : public PairEffect {
   explicit MutualGravity(const PairInput& input);
   void add_forces(const PairBodies& bodies, Workers& workers) override;
   double energy(const PairBodies& bodies, Workers& workers) override;
-  PairCost cost() const override;
+  PairCost cost() const override { return cost_; }
   std::vector<Link> links() const override { return all_links(count_); }
   LinkForce force_of(std::size_t copy, const Link& link, const Vector3<Real>& r, const Vector3<Real>& v) const override;
   static EffectDescription description();
@@ -173,11 +246,16 @@ class MutualGravity : public PairEffect {
                std::size_t end) const;
   template <class Act>
   void for_tasks(const PairBodies& bodies, Workers& workers, Act act) const;
+  template <class Act>
+  void for_groups(const PairBodies& bodies, Workers& workers, Act act);
+  void measure(const PairInput& input);
 
   Real strength_, softening_;
   PairKernels kernels_;
   std::size_t count_;
-  std::vector<Real> masses_;  ///< of one copy
+  std::vector<Real> masses_;        ///< of one copy
+  std::vector<GravityTree> trees_;  ///< of each copy; none: all pairs are summed
+  PairCost cost_;
 };
 #endif
 

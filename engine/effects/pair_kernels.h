@@ -17,6 +17,17 @@ struct Attraction {
   Real softening_squared = 0;  ///< s^2
 };
 
+/// Some bodies, and all that pulls at them: points, and cells with second moments, see gravity_tree.h.
+struct Pull {
+  const Real* position[3];  ///< of the bodies, with room for a vector behind the last
+  std::size_t bodies = 0;
+  const Real* points[4];  ///< x, y, z, mass
+  std::size_t point_count = 0;
+  const Real* cells[10];  ///< x, y, z, mass, then sums of m times xx, yy, zz, xy, xz, yz
+  std::size_t cell_count = 0;
+  Real softening_squared = 0;
+};
+
 /// Woven copies: so many at a time stand body by body, each body of all of them in one cache line.
 inline constexpr std::size_t woven_width = 64 / sizeof(Real);
 inline constexpr std::size_t most_woven = 32;  ///< bodies of a copy that may be woven
@@ -29,6 +40,9 @@ struct PairKernels {
   void (*attraction_energy)(const Attraction&, std::size_t first, std::size_t last, Real* energy);
   void (*attract_woven)(const Attraction&, Real* const* force);
   void (*woven_attraction_energy)(const Attraction&, Real* energy);
+  /// What is pulled at, but for G: accelerations, as columns; or potentials. Both with room for a vector.
+  void (*pull)(const Pull&, Real* const* acceleration);
+  void (*pull_potential)(const Pull&, Real* potential);
 };
 
 }  // namespace ballpark::BALLPARK_PRECISION

@@ -54,12 +54,8 @@ struct ExplicitRungeKutta {
     using M = typename S::Motion;
     typename S::Value trial[S::size];
     LocalRates<M, typename S::Value> k;
-    if (m.first_known) {
-      kept.read(0, k.values[0]);
-    } else {
-      evaluate<M>(forces, c, state.y, m.offset[0], k.values[0]);
-    }
-    for (int p = 1; p < m.phases; ++p) {
+    if (m.first_known) kept.read(0, k.values[0]);
+    for (int p = m.first_known ? 1 : 0; p < m.phases; ++p) {
       prepare(m, p, c, forces, state, k, trial);
       evaluate<M>(forces, c, trial, m.offset[p], k.values[p]);
     }
@@ -109,15 +105,30 @@ struct Taylor {
   template <class S, class Constants, class Forces, class Rates>
   BALLPARK_INLINE static void finish(const Method& m, const Constants& c, const Forces& forces, const Rates& k,
                                      S& state) {
-    using M = typename S::Motion;
-    using V = typename S::Value;
-    const V* y = state.y;
-    const Body<V> body = M::body(c, y);
-    const Loads<V> loads = forces.loads(body, 0);
-    const Acceleration<V> a = M::acceleration(c, y, body, loads);
-    V rate[S::size], second[S::size], sum[S::size];
+    typename S::Value rate[S::size];
     for (int i = 0; i < S::size; ++i) rate[i] = k(0, i);
-    M::second_rates(c, y, body, loads, a, forces.load_rates(body, a), rate, second);
+    const auto body = S::Motion::body(c, state.y);
+    move(m, c, forces, body, forces.loads(body, 0), rate, state);
+  }
+
+  template <class S, class Constants, class Forces>
+  BALLPARK_INLINE static void whole_step(const Method& m, const Constants& c, const Forces& forces,
+                                         const ColumnRates<typename S::Motion, typename S::Value>&, S& state) {
+    typename S::Value rate[S::size];
+    const auto body = S::Motion::body(c, state.y);
+    const auto loads = forces.loads(body, 0);
+    S::Motion::rates(c, state.y, body, loads, rate);
+    move(m, c, forces, body, loads, rate, state);
+  }
+
+ private:
+  template <class S, class V, class Constants, class Forces>
+  BALLPARK_INLINE static void move(const Method& m, const Constants& c, const Forces& forces, const Body<V>& body,
+                                   const Loads<V>& loads, const V* rate, S& state) {
+    using M = typename S::Motion;
+    const Acceleration<V> a = M::acceleration(c, state.y, body, loads);
+    V second[S::size], sum[S::size];
+    M::second_rates(c, state.y, body, loads, a, forces.load_rates(body, a), rate, second);
     for (int i = 0; i < S::size; ++i) sum[i] = V(m.step) * rate[i] + V(m.half_square) * second[i];
     state.add(0, S::size, sum);
   }

@@ -22,10 +22,7 @@ struct Splitting {
     } else if (m.lead != 0) {
       drift(m, c, m.lead, state);
     }
-    copy<S::size>(state.y, trial);
-    for (int i = S::Motion::momenta_begin; phase > 0 && i < S::Motion::momenta_end; ++i) {
-      trial[i] += V(m.kick[phase]) * k(phase - 1, i);
-    }
+    predict(m, phase, k, state, trial);
   }
 
   template <class S, class Constants, class Forces, class Rates>
@@ -34,7 +31,29 @@ struct Splitting {
     apply(m, m.phases - 1, c, forces, k, state);
   }
 
+  template <class S, class Constants, class Forces>
+  BALLPARK_INLINE static void whole_step(const Method& m, const Constants& c, const Forces& forces,
+                                         const ColumnRates<typename S::Motion, typename S::Value>&, S& state) {
+    using M = typename S::Motion;
+    typename S::Value trial[S::size];
+    LocalRates<M, typename S::Value> k;
+    if (m.lead != 0) drift(m, c, m.lead, state);
+    for (int p = 0; p < m.phases; ++p) {
+      predict(m, p, k, state, trial);
+      evaluate<M>(forces, c, trial, m.offset[p], k.values[p]);
+      apply(m, p, c, forces, k, state);
+    }
+  }
+
  private:
+  template <class S, class Rates, class V>
+  BALLPARK_INLINE static void predict(const Method& m, int phase, const Rates& k, const S& state, V* trial) {
+    copy<S::size>(state.y, trial);
+    for (int i = S::Motion::momenta_begin; phase > 0 && i < S::Motion::momenta_end; ++i) {
+      trial[i] += V(m.kick[phase]) * k(phase - 1, i);
+    }
+  }
+
   template <class S, class Constants, class Forces, class Rates>
   BALLPARK_INLINE static void apply(const Method& m, int phase, const Constants& c, const Forces& forces,
                                     const Rates& k, S& state) {

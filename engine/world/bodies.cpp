@@ -98,6 +98,13 @@ void Group::list_instances() {
   forces.flow_end = forces.begin + all;
 }
 
+bool Group::answers_to_loads() const {
+  for (std::size_t e = 0; e < effects.size(); ++e) {
+    if (local_effects()[e].reads_loads && !effects[e].empty()) return true;
+  }
+  return false;
+}
+
 double Group::added_mass(std::size_t row) const {
   double sum = 0;
   for (std::size_t e = 0; e < effects.size(); ++e) {

@@ -81,6 +81,7 @@ void Builder::build() {
     if (world_.adaptive_) add_before(group);
   }
   add_pair_systems();
+  add_step_effects();
   check_stability();
   add_blocks();
   add_implicit();

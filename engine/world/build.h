@@ -38,6 +38,8 @@ class Builder {
   void add_effects(Group& group);
   void add_effective_mass(Group& group);
   void add_stiffness(Group& group, const std::vector<Effect>& effects);
+  // between_steps.cpp
+  void add_step_effects();
   void check_stability();
   void check_stability(const std::string& whose, const Stiffness& per_mass);
   void add_carry(Group& group);

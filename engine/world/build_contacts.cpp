@@ -63,7 +63,8 @@ void Builder::add_contacts() {
   for (const std::string& a : names) {
     for (const std::string& b : names) {
       const Material law = law_between(scene_, a, b);
-      laws.laws.push_back({static_cast<Real>(law.restitution), static_cast<Real>(law.friction)});
+      laws.laws.push_back({static_cast<Real>(law.restitution), static_cast<Real>(law.friction),
+                           static_cast<Real>(law.restitution_speed), static_cast<Real>(law.cohesion)});
     }
   }
   add_walls(names);
@@ -136,8 +137,12 @@ void Builder::describe_contacts(const std::vector<std::string>& materials) {
       if (!of_bodies) continue;  // boundaries do not meet
       const Material law = law_between(scene_, materials[i], materials[j]);
       const auto name = [](const std::string& material) { return material.empty() ? "(no material)" : material; };
-      report.laws.push_back(fmt::format("{} on {}: restitution {:g}, friction {:g}", name(materials[i]),
-                                        name(materials[j]), law.restitution, law.friction));
+      std::string line =
+          fmt::format("{} on {}: restitution {:g}", name(materials[i]), name(materials[j]), law.restitution);
+      if (law.restitution_speed > 0) line += fmt::format(" at {:g} m/s", law.restitution_speed);
+      line += fmt::format(", friction {:g}", law.friction);
+      if (law.cohesion > 0) line += fmt::format(", cohesion {:g} J/m^2", law.cohesion);
+      report.laws.push_back(line);
     }
   }
 }

@@ -82,7 +82,7 @@ void Builder::add_effects(Group& group) {
     }
     std::vector<std::byte>& instances = group.effects[static_cast<std::size_t>(index)];
     instances.resize(instances.size() + info.constants_size);
-    info.pack({parameters, 0, per_body, 0, radius.value_or(PerBody{})},
+    info.pack({parameters, 0, per_body, 0, radius.value_or(PerBody{}), {}, group.kernel.constants.inverse_inertia[0]},
               instances.data() + instances.size() - info.constants_size);
   }
   group.list_instances();

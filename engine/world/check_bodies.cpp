@@ -68,7 +68,7 @@ struct GroupCheck {
     if (!group.generate) return;
     const Generate& g = *group.generate;
     const auto at = [this](const char* key) { return path("generate") + "." + key; };
-    if (!problems.known(at("kind"), "generator", g.kind, {"lattice", "random", "rack"})) return;
+    if (!problems.known(at("kind"), "generator", g.kind, {"lattice", "random", "rack", "plummer"})) return;
     const bool lattice = g.kind == "lattice";
     if (g.count.size() != (lattice ? 3u : 1u)) {
       problems.add(at("count"), lattice ? "expected three numbers, [nx, ny, nz]" : "expected one number");
@@ -76,6 +76,10 @@ struct GroupCheck {
     if (lattice || g.kind == "rack") {
       problems.positive(at("spacing"), g.spacing, "m");
       problems.finite(at("origin"), g.origin, "m");
+    } else if (g.kind == "plummer") {
+      problems.positive(at("scale"), g.scale, "m");
+      problems.finite(at("origin"), g.origin, "m");
+      problems.not_negative(at("strength"), g.strength, "m^3/s^2");
     } else if (problems.finite(at("lower"), g.lower, "m") && problems.finite(at("upper"), g.upper, "m") &&
                (g.upper - g.lower).minCoeff() < 0) {
       problems.add(at("upper"), "is below lower in a component, expected a box");

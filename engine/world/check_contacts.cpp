@@ -17,6 +17,10 @@ std::vector<std::string> names_of(const std::vector<NamedDescription>& list) {
   return names;
 }
 
+Material law_of(const MaterialPair& pair) {
+  return {pair.restitution, pair.friction, pair.restitution_speed, pair.cohesion};
+}
+
 /// Of a dashpot that does not pull, at a damping ratio of 10: exp(-b/s ln((b + s)/(b - s))), s = sqrt(b^2 - 1).
 constexpr double least_restitution = 0.0025;
 
@@ -28,7 +32,7 @@ struct ContactCheck {
   void run() {
     for (const auto& [name, material] : scene.materials) {
       materials.push_back(name);
-      check_law("materials." + name, material.restitution, material.friction);
+      check_law("materials." + name, material);
     }
     for (std::size_t i = 0; i < scene.material_pairs.size(); ++i) check_pair(i);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -40,11 +44,23 @@ struct ContactCheck {
     if (touches(scene)) check_bodies_in_contact();
   }
 
-  void check_law(const std::string& path, double restitution, double friction) {
-    if (!(restitution >= 0 && restitution <= 1)) {
-      problems.add(path + ".restitution", fmt::format("is {}, expected a number from 0 to 1", text(restitution)));
+  void check_law(const std::string& path, const Material& law) {
+    if (!(law.restitution >= 0 && law.restitution <= 1)) {
+      problems.add(path + ".restitution", fmt::format("is {}, expected a number from 0 to 1", text(law.restitution)));
     }
-    problems.not_negative(path + ".friction", friction, "1");
+    problems.not_negative(path + ".friction", law.friction, "1");
+    problems.not_negative(path + ".restitution_speed", law.restitution_speed, "m/s");
+    problems.not_negative(path + ".cohesion", law.cohesion, "J/m^2");
+    const bool penalty = scene.contact.kind == "penalty";
+    if (penalty && law.restitution_speed > 0) {
+      problems.add(path + ".restitution_speed",
+                   "is given, but springs and dashpots have one restitution for all speeds: expected contact.kind = "
+                   "\"impulse\", or 0");
+    }
+    if (scene.contact.kind == "impulse" && law.cohesion > 0) {
+      problems.add(path + ".cohesion",
+                   "is given, but impulses do not hold surfaces together: expected contact.kind = \"penalty\", or 0");
+    }
   }
 
   void check_material(const std::string& path, const std::string& name) {
@@ -54,7 +70,7 @@ struct ContactCheck {
   void check_pair(std::size_t i) {
     const MaterialPair& pair = scene.material_pairs[i];
     const std::string path = path_of("material_pairs", i);
-    check_law(path, pair.restitution, pair.friction);
+    check_law(path, law_of(pair));
     if (pair.between.size() != 2) return problems.add(path + ".between", "expected the names of two materials");
     for (std::size_t k = 0; k < 2; ++k) check_material(path_of(path + ".between", k, 2), pair.between[k]);
     for (std::size_t j = 0; j < i; ++j) {
@@ -232,7 +248,7 @@ Material law_between(const Scene& scene, const std::string& a, const std::string
   for (const MaterialPair& pair : scene.material_pairs) {
     const bool these = pair.between.size() == 2 && ((pair.between[0] == a && pair.between[1] == b) ||
                                                     (pair.between[0] == b && pair.between[1] == a));
-    if (these) return {pair.restitution, pair.friction};
+    if (these) return law_of(pair);
   }
   const auto of = [&](const std::string& name) {
     const auto found = scene.materials.find(name);
@@ -240,7 +256,8 @@ Material law_between(const Scene& scene, const std::string& a, const std::string
   };
   const Material one = of(a), two = of(b);
   const auto mean = [](double x, double y) { return x == y ? x : std::sqrt(x * y); };
-  return {mean(one.restitution, two.restitution), mean(one.friction, two.friction)};
+  return {mean(one.restitution, two.restitution), mean(one.friction, two.friction),
+          mean(one.restitution_speed, two.restitution_speed), mean(one.cohesion, two.cohesion)};
 }
 
 std::vector<std::string> materials_in_use(const Scene& scene) {

@@ -138,12 +138,21 @@ struct EffectCheck {
                    fmt::format("is {} s, expected a time after at = {} s", text(std::get<double>(until->second)),
                                text(std::get<double>(at->second))));
     }
+    const auto normal = parameters.find("normal");
+    if (normal != parameters.end() && !(std::get<Vector3d>(normal->second).norm() > 1e-100)) {
+      problems.add(path("normal"), "has length 0, expected a direction");
+    }
     check_space(parameters);
     check_pairs(description, parameters);
     for (const BodyGroup& group : scene.bodies) {
       if (!acts_on(effect, group)) continue;
       check_rotation(description, parameters, group);
       check_size(description, group);
+      if (description.name == "table") check_table(group);
+      if (description.between_steps && pivot_of(scene, group)) {
+        problems.add(path("groups"), "group " + group.name + " turns about a pivot, which ties its velocities to it: " +
+                                         "expected other groups");
+      }
       for (const ParameterInfo& info : description.parameters) {
         if (info.kind != ParameterKind::vectors) continue;
         const std::size_t rows = std::get<std::vector<Vector3d>>(parameters.at(info.name)).size();
@@ -236,6 +245,23 @@ struct EffectCheck {
     if (description.name == "added_mass" && pivot_of(scene, group)) {
       problems.add(path("groups"), "group " + group.name +
                                        " turns about a pivot, where added_mass does not act: expected other groups");
+    }
+  }
+
+  /// A table carries balls by what their mass and one moment of inertia make of friction.
+  void check_table(const BodyGroup& group) {
+    const auto refuse = [&](const char* what) {
+      problems.add(path("groups"), "group " + group.name + " " + what + ": expected other groups");
+    };
+    for (std::size_t i = 0; i < group.inertia.size(); ++i) {
+      const Vector3d inertia = inertia_of(group, i);
+      if (inertia.minCoeff() != inertia.maxCoeff()) return refuse("has bodies of unequal moments of inertia");
+    }
+    if (pivot_of(scene, group)) refuse("turns about a pivot, which a table does not see");
+    for (const Effect& other : scene.effects) {
+      if (!acts_on(other, group)) continue;
+      if (other.kind == "added_mass") refuse("takes fluid along (added_mass), which a table does not see");
+      if (other.kind == "table" && &other < &effect) refuse("has a table already");
     }
   }
 

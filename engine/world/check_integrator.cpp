@@ -145,7 +145,12 @@ void check_integrator(const Scene& scene, Problems& problems) {
   for (const Effect& effect : scene.effects) {
     const EffectDescription* description = find_effect(effect.kind);
     if (!description) continue;  // a problem of its own
-    if (row.family == "Taylor" && !description->has_force_derivative) {
+    if (description->between_steps && (row.start_steps > 0 || scene.run.tolerance != 0)) {
+      problems.add(
+          row.start_steps > 0 ? "run.integrator" : "run.tolerance",
+          effect.kind + " changes bodies at once between steps: expected a one-step integrator and run.step, e.g. rk4");
+    }
+    if (row.family == "Taylor" && !description->has_force_derivative && !description->between_steps) {
       refuse("taylor2 needs the time derivative of every force, which " + effect.kind +
              " does not give; expected another integrator, e.g. midpoint");
     }

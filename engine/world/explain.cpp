@@ -15,7 +15,7 @@ std::string text(double value) {
 }
 
 GroupReport report(const Group& group, std::size_t index, const std::vector<PairSystem>& pairs,
-                   const std::vector<UserEffect>& users) {
+                   const std::vector<UserEffect>& users, const std::vector<const char*>& between_steps) {
   GroupReport r{group.name, name(group.motion), group.live, group.why, {}, {}};
   if (group.pivots()) r.effects.push_back("pivot");
   for (std::size_t e = 0; e < group.effects.size(); ++e) {
@@ -27,6 +27,7 @@ GroupReport report(const Group& group, std::size_t index, const std::vector<Pair
     if (system.acts_on(index)) r.effects.push_back(system.name());
   }
   for (const std::size_t u : group.users) r.effects.push_back(users[u].name);
+  r.effects.insert(r.effects.end(), between_steps.begin(), between_steps.end());
   const auto unit = [](const std::string& key) {
     return key == "radius" ? " m" : key == "density" ? " kg/m^3" : " kg";
   };
@@ -105,7 +106,11 @@ Explanation World::explain() const {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group& group = groups_[g];
     if (group.live == 0) continue;
-    all.groups.push_back(report(group, g, pair_systems_, users_));
+    std::vector<const char*> between;
+    for (const BetweenSteps& effect : between_steps_) {
+      if (effect.acts_on(g)) between.push_back(effect.name());
+    }
+    all.groups.push_back(report(group, g, pair_systems_, users_, between));
     explain_passes(group, method_, plan, columns_, all.passes);
   }
   for (const PairSystem& system : pair_systems_) {
@@ -114,6 +119,7 @@ Explanation World::explain() const {
   if (penalty_) penalty_->explain(groups_, all);
   if (!fused_) put_in_order(all.passes);
   if (impulse_) impulse_->explain(groups_, all);
+  explain_between_steps(all.passes);
   for (const auto& [name, per_mass] : stiffnesses_) {
     const double largest = limit_of(per_mass).largest;
     if (std::isfinite(largest)) all.step_limits.push_back({name, largest});
@@ -138,6 +144,10 @@ Explanation World::explain() const {
     }
   }
   all.off = what_is_off(groups_, pair_systems_, fused_, contacts_ != nullptr);
+  for (const StepEffectInfo& info : step_effects()) {
+    const auto is = [&](const BetweenSteps& between) { return between.info == &info; };
+    if (std::none_of(between_steps_.begin(), between_steps_.end(), is)) all.off.push_back(info.description.name);
+  }
   return all;
 }
 

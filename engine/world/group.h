@@ -63,6 +63,7 @@ struct Group {
 
   /// What adds to the mass of a row's body [kg].
   double added_mass(std::size_t row) const;
+  bool answers_to_loads() const;  ///< does one of its effects?
   bool turns() const { return carried >= MotionKind::oriented; }
   bool spins() const { return carried != MotionKind::point; }
   bool pivots() const { return carried == MotionKind::pivoted; }

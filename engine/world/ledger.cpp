@@ -23,25 +23,39 @@ double power_of(const Vector3<Real>& force, const Vector3<Real>& velocity) {
          static_cast<double>(force.z) * static_cast<double>(velocity.z);
 }
 
-/// Each effect alone, in the flow where it is.
+/// What an effect does where a body is: alone in the flow, or, if it answers to loads, on top of them.
+Loads<Real> loads_of(const Group& group, std::size_t e, const void* constants, const Body<Real>& body, double time) {
+  LocalForces forces = group.kernel.forces;
+  forces.sums = {};
+  forces.start = time;
+  forces.turning_apart = false;
+  const EffectInstance instance{static_cast<int>(e), constants};
+  if (!local_effects()[e].reads_loads) {
+    forces.begin = &instance, forces.end = &instance + 1;
+    return forces.loads(body, 0);
+  }
+  while (forces.end[-1].constants != constants) --forces.end;
+  Loads<Real> loads = forces.loads(body, 0);
+  --forces.end;
+  const Loads<Real> before = forces.loads(body, 0);
+  loads.force -= before.force;
+  loads.torque -= before.torque;
+  return loads;
+}
+
 template <class M>
 void add_effects(const Group& group, const Body<Real>& body, double time, EnergyReading& sum) {
   for (std::size_t e = 0; e < group.effects.size(); ++e) {
     const EffectInfo& info = local_effects()[e];
     const std::vector<std::byte>& instances = group.effects[e];
     for (std::size_t at = 0; info.pushes && at < instances.size(); at += info.constants_size) {
-      const EffectInstance instance{static_cast<int>(e), instances.data() + at};
-      LocalForces alone = group.kernel.forces;
-      alone.begin = &instance, alone.end = &instance + 1;
-      alone.sums = {};
-      alone.start = time;
-      alone.turning_apart = false;
-      Loads<Real> loads = alone.loads(body, 0);
+      const void* constants = instances.data() + at;
+      Loads<Real> loads = loads_of(group, e, constants, body, time);
       if (info.energy) {  // what it would do at rest as well comes back
-        sum.potential[e] += static_cast<double>(info.energy(instance.constants, body));
+        sum.potential[e] += static_cast<double>(info.energy(constants, body));
         Body<Real> at_rest = body;
         at_rest.velocity = at_rest.spin = {};
-        const Loads<Real> kept = alone.loads(at_rest, 0);
+        const Loads<Real> kept = loads_of(group, e, constants, at_rest, time);
         loads.force -= kept.force;
         loads.torque -= kept.torque;
       }
@@ -94,6 +108,7 @@ void LedgerBook::for_numbers(Book& book, Act act) {
   act(book.initial.kinetic.translation), act(book.initial.kinetic.rotation);
   for (auto& potential : book.initial.potential) act(potential);
   for (auto& work : book.work) sum(work);
+  for (auto& work : book.between_steps) sum(work);
   sum(book.contacts), sum(book.outside);
 }
 
@@ -179,9 +194,16 @@ double World::power_of_user(std::size_t user) const {
 void World::keep_ledger(bool on) {
   book_.reset();
   if (!on) return;
+  for (const Group& group : groups_) {
+    if (!group.kernel.forces.sums.force[0] || !group.answers_to_loads()) continue;
+    throw SceneError("ledger", "the table under group " + group.name +
+                                   " answers to forces between bodies or of users, whose work then cannot be told "
+                                   "apart; expected a scene without one or the other");
+  }
   EnergyReading now = read_energy();
   const std::size_t lines = now.power.size();
-  book_.reset(new LedgerBook{time(), std::move(now), std::vector<ExactSum>(lines), {}, {}});
+  book_.reset(new LedgerBook{
+      time(), std::move(now), std::vector<ExactSum>(lines), std::vector<ExactSum>(between_steps_.size()), {}, {}});
 }
 
 /// A step, then the way that it went, gone again aside from where it began.
@@ -237,6 +259,13 @@ Ledger World::ledger() const {
   for (const UserEffect& user : users_) line(user.name, false, i++);
   if (penalty_) line("contacts", true, i);
   if (penalty_ && penalty_->remembers()) all.lines.back().work = book_->work[i].total();
+  for (std::size_t b = 0; b < between_steps_.size(); ++b) {
+    const std::string name = between_steps_[b].name();
+    const auto same = [&](const LedgerLine& other) { return other.name == name; };
+    auto of = std::find_if(all.lines.begin(), all.lines.end(), same);
+    if (of == all.lines.end()) of = all.lines.insert(of, {.name = name});
+    of->work += book_->between_steps[b].total();
+  }
   if (impulse_) all.lines.push_back({"contacts", book_->contacts.total()});
   if (book_->outside.total() != 0) all.lines.push_back({"from outside", book_->outside.total()});
   return all;

@@ -35,6 +35,7 @@ struct LedgerBook {
   double from = 0;        ///< [s]
   EnergyReading initial;  ///< when it was opened
   std::vector<ExactSum> work;
+  std::vector<ExactSum> between_steps;  ///< of each effect that acts there
   ExactSum contacts, outside;  ///< what changes velocities at once: impulses of contacts, and those from outside
 
   /// All that it holds, to keep in a snapshot.

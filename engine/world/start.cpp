@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/core/maths.h"
 #include "engine/core/random.h"
 #include "engine/world/check.h"
 
@@ -10,7 +11,16 @@ namespace ballpark::BALLPARK_PRECISION {
 namespace {
 
 /// What a random number is for: each use has a stream of its own.
-enum class Purpose { position, velocity, angular_velocity, orientation, perturb_position, perturb_velocity };
+enum class Purpose {
+  position,
+  velocity,
+  angular_velocity,
+  orientation,
+  perturb_position,
+  perturb_velocity,
+  speed,
+  heading
+};
 
 random::Draw draw(std::uint64_t seed, std::size_t group, Purpose purpose, std::uint64_t counter) {
   return {seed, 16 * group + static_cast<std::uint64_t>(purpose), counter};
@@ -28,6 +38,42 @@ Vector3<Wide> random_vector(std::uint64_t seed, std::size_t group, std::size_t b
 
 Vector3<Wide> scaled(const Vector3<Wide>& a, const Vector3<Wide>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+/// Of this length, in any direction.
+Vector3<Wide> random_direction(double length, const random::Draw& at) {
+  constexpr double two_pi = 6.283185307179586;
+  const auto bits = random::bits(at);
+  const double up = 1 - 2 * random::fraction<53>(bits[0]), around = two_pi * random::fraction<53>(bits[1]);
+  const double out = length * std::sqrt(1 - up * up);
+  return {out * maths::cos(around), out * maths::sin(around), length * up};
+}
+
+/// Aarseth, Henon and Wielen 1974, A comparison of numerical methods for the study of star cluster dynamics: the radius
+/// that holds a share of the mass, and a speed that has the density q^2 (1 - q^2)^(7/2) as a share q of what escapes.
+double plummer_radius(const Generate& g, double share) {
+  const double root = maths::cbrt(share);
+  return g.scale * root / std::sqrt(1 - root * root);
+}
+double plummer_speed(const Generate& g, double radius, std::size_t group, std::size_t body, std::uint64_t seed) {
+  constexpr std::uint64_t tries = 256;  // each succeeds with 0.3 to 0.5
+  double q = 0;
+  for (std::uint64_t t = 0; t < tries; ++t) {
+    const auto bits = random::bits(draw(seed, group, Purpose::speed, tries * body + t));
+    q = random::fraction<53>(bits[0]);
+    const double left = 1 - q * q;
+    if (0.1 * random::fraction<53>(bits[1]) < q * q * left * left * left * std::sqrt(left)) break;
+  }
+  return q * std::sqrt(2 * g.strength / std::sqrt(radius * radius + g.scale * g.scale));
+}
+void place_in_plummer(const Generate& g, std::size_t group, std::size_t body, std::uint64_t seed, Start& start) {
+  constexpr double inner = 0.99;
+  const double share = inner * random::uniform<double>(draw(seed, group, Purpose::position, 2 * body));
+  const double radius = plummer_radius(g, share);
+  start.position = wide(g.origin) + random_direction(radius, draw(seed, group, Purpose::position, 2 * body + 1));
+  if (g.strength == 0) return;
+  const double speed = plummer_speed(g, radius, group, body, seed);
+  start.velocity += random_direction(speed, draw(seed, group, Purpose::heading, body));
 }
 
 Vector3<Wide> generated_position(const Generate& g, std::size_t group, std::size_t i, std::uint64_t seed) {
@@ -66,7 +112,8 @@ Start start_of(const Scene& scene, std::size_t g, std::size_t i, std::uint64_t s
   start.orientation = unit(row_or(group.orientation, i, Quaternion{}));
   if (group.generate) {
     const Generate& made = *group.generate;
-    start.position = generated_position(made, g, i, seed);
+    if (made.kind == "plummer") place_in_plummer(made, g, i, seed, start);
+    if (made.kind != "plummer") start.position = generated_position(made, g, i, seed);
     start.velocity += scaled(wide(made.velocity_spread), random_vector(seed, g, i, Purpose::velocity));
     start.angular_velocity +=
         scaled(wide(made.angular_velocity_spread), random_vector(seed, g, i, Purpose::angular_velocity));

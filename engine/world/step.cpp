@@ -38,7 +38,7 @@ void World::run(std::uint64_t most_steps, double until) {
 /// How many of the next steps are kernels alone, one after the other: those of a world of one block in which nothing
 /// happens until then.
 int World::steps_at_once(std::uint64_t most) const {
-  if (!fused_ || impulse_ || implicit_ || profiling_ || whole_.blocks.size() != 1) return 1;
+  if (!fused_ || impulse_ || implicit_ || profiling_ || !between_steps_.empty() || whole_.blocks.size() != 1) return 1;
   if (row_->family == Family::multistep) return 1;
   if (std::any_of(groups_.begin(), groups_.end(), [](const Group& g) { return g.kernel.forces.flows(); })) return 1;
   constexpr std::uint64_t longest = 256;
@@ -62,10 +62,11 @@ void World::many_steps(int n) {
 
 void World::one_step() {
   part_of_step(step_);
+  act_between_steps();
   ++counters_.steps;
 }
 
-/// begin -> events of this part, each at its time -> smooth motion in between -> finish
+/// begin -> events of this part, each at its time -> smooth motion in between
 void World::part_of_step(double length) {
   const double start = time(), margin = on_the_step * step_;
   double done = 0;

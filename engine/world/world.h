@@ -11,6 +11,7 @@
 #include "engine/core/clock.h"
 #include "engine/core/flush_denormals.h"
 #include "engine/core/workers.h"
+#include "engine/effects/step_effect.h"
 #include "engine/integrators/rows.h"
 #include "engine/integrators/step_control.h"
 #include "engine/kernels/exponential_motion.h"
@@ -80,6 +81,17 @@ class World : public WorldInterface {
   void take_effect(const Event& event);
   Moved smooth_motion(const Method& method, double from);
   Method method_over(double h) const;
+  // between_steps.cpp
+  struct BetweenSteps {
+    const StepEffectInfo* info;
+    std::unique_ptr<StepEffect> effect;
+    std::vector<std::size_t> groups;
+    const char* name() const { return info->description.name.c_str(); }
+    bool acts_on(std::size_t group) const;
+  };
+  void act_between_steps();
+  void explain_between_steps(std::vector<PassReport>& passes) const;
+
   // implicit_step.cpp
   Moved implicit_step(const Method& method);
   void count_iterations(const StageTally& tally, int stages);
@@ -169,6 +181,7 @@ class World : public WorldInterface {
   Workers one_thread_{1};      ///< of a part among others
   std::vector<UserEffect> users_;
   mutable std::vector<PairSystem> pair_systems_;  ///< whose slots are scratch
+  std::vector<BetweenSteps> between_steps_;
   std::vector<std::string> narrowed_;
   std::vector<Event> events_;  ///< by time
   std::size_t next_event_ = 0;

@@ -30,13 +30,15 @@ struct EffectDescription {
   std::string doc;  ///< one sentence with the formula
   std::string source;
   std::vector<ParameterInfo> parameters;
-  std::vector<std::string> reads;   ///< columns beside mass that the force needs
-  std::vector<std::string> exerts;  ///< "force", "torque", "constraint", "flow" of a fluid, "inertia"
+  std::vector<std::string> reads;  ///< columns beside mass that the force needs
+  std::vector<std::string>
+      exerts;  ///< "force", "torque", "constraint", "flow" of a fluid, "inertia"; what it sets between steps
   bool has_energy = false;
   bool has_force_derivative = false;  ///< usable with taylor2
   bool turns_velocity = false;        ///< reads velocity only to turn it, at a rate that it tells: usable with boris
   int flops = 0;                      ///< per evaluation and body (between bodies: and pair)
   bool between_bodies = false;        ///< takes the staged path
+  bool between_steps = false;         ///< exerts no force: changes bodies at once when a step has ended
 };
 
 struct IntegratorDescription {

@@ -28,13 +28,17 @@ enum class Precision { single_, double_, extended };
 /// Fills a group's rows at build. Deterministic: row i of copy k depends on (seed + k, group, i) alone.
 struct Generate {
   /// "lattice": count rows, x fastest; "random": uniform in the box [lower, upper]; "rack": a triangle in a plane of
-  /// constant z, row k of k bodies along y, rows along x
+  /// constant z, row k of k bodies along y, rows along x; "plummer": a cluster of stars about the origin, the inner 99
+  /// % of its mass (Aarseth, Henon and Wielen 1974)
   std::string kind = {};
-  std::vector<std::size_t> count = {};          ///< lattice: [nx, ny, nz]; random: [n]; rack: [rows]
-  Vector3d origin = Vector3d::Zero();           ///< lattice, rack: position of the first body [m]
-  double spacing = 0;                           ///< lattice, rack: distance between neighbours [m], > 0
-  Vector3d lower = Vector3d::Zero();            ///< random: lowest corner [m]
-  Vector3d upper = Vector3d::Zero();            ///< random: highest corner [m]
+  std::vector<std::size_t> count = {};  ///< lattice: [nx, ny, nz]; random, plummer: [n]; rack: [rows]
+  Vector3d origin = Vector3d::Zero();   ///< lattice, rack: position of the first body; plummer: centre [m]
+  double spacing = 0;                   ///< lattice, rack: distance between neighbours [m], > 0
+  Vector3d lower = Vector3d::Zero();    ///< random: lowest corner [m]
+  Vector3d upper = Vector3d::Zero();    ///< random: highest corner [m]
+  double scale = 0;                     ///< plummer: a, of a density as (1 + r^2 / a^2)^(-5/2) [m], > 0
+  double strength =
+      0;  ///< plummer: G times the mass of all, with which velocities are in balance; 0: at rest [m^3/s^2]
   Vector3d velocity_spread = Vector3d::Zero();  ///< adds a uniform value in [-s, s] to each velocity component [m/s]
   Vector3d angular_velocity_spread = Vector3d::Zero();  ///< likewise for the angular velocity [rad/s]
   bool random_orientation = false;                      ///< orientations uniform over all rotations
@@ -85,6 +89,13 @@ struct Impulse {
 struct Material {
   double restitution = 1;  ///< e in [0, 1]: speed of parting over speed of approach, along the normal
   double friction = 0;     ///< Coulomb's mu >= 0
+  /// Impulse contacts: the speed of approach v0 at which e is that, where it depends on speed v: slower impacts are
+  /// more elastic, 1 - (1 - e) (v / v0)^(1/5), faster ones less, e (v0 / v)^(1/4); 0: e at every speed [m/s]. (McNamara
+  /// and Falcon 2005, Phys. Rev. E 71, 031302)
+  double restitution_speed = 0;
+  /// Penalty contacts: work of adhesion w; surfaces that touch pull with 2 pi w R1 R2 / (R1 + R2), a wall's R infinite,
+  /// and friction grows with what presses them so. [J/m^2] (Derjaguin, Muller and Toporov 1975)
+  double cohesion = 0;
 };
 
 /// The law of two materials, instead of their mean.
@@ -92,6 +103,8 @@ struct MaterialPair {
   std::vector<std::string> between = {};  ///< two names of materials
   double restitution = 1;
   double friction = 0;
+  double restitution_speed = 0;  ///< [m/s]
+  double cohesion = 0;           ///< [J/m^2]
 };
 
 /// Displacement of a boundary: V t + A (sin(2 pi f t + phase) - sin(phase)).

@@ -39,6 +39,35 @@ void hand_written_rk4(const DragProblem& problem, double* __restrict x, double* 
   }
 }
 
+void hand_written_attraction(const AttractionProblem& problem, const double* mass, double* const* position,
+                             double* const* velocity, std::size_t count) {
+  constexpr std::size_t lanes = 16;
+  const double *x = position[0], *y = position[1], *z = position[2];
+  const double softening = problem.softening * problem.softening;
+  for (std::size_t i = 0; i < count; i += lanes) {
+    double ax[lanes] = {}, ay[lanes] = {}, az[lanes] = {};
+    for (std::size_t j = 0; j < count; ++j) {
+      const double xj = x[j], yj = y[j], zj = z[j], m = mass[j];
+      for (std::size_t k = 0; k < lanes; ++k) {
+        const double dx = xj - x[i + k], dy = yj - y[i + k], dz = zj - z[i + k];
+        const double square = dx * dx + dy * dy + dz * dz + softening;
+        const double pull = m / (square * std::sqrt(square));
+        ax[k] += pull * dx;
+        ay[k] += pull * dy;
+        az[k] += pull * dz;
+      }
+    }
+    for (std::size_t k = 0; k < lanes && i + k < count; ++k) {
+      velocity[0][i + k] += problem.step * ax[k];
+      velocity[1][i + k] += problem.step * ay[k];
+      velocity[2][i + k] += problem.step * az[k];
+    }
+  }
+  for (int c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < count; ++i) position[c][i] += problem.step * velocity[c][i];
+  }
+}
+
 void touch(double* __restrict x, double* __restrict y, double* __restrict z, double* __restrict vx,
            double* __restrict vy, double* __restrict vz, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {

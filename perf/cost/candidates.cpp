@@ -58,6 +58,7 @@ std::string label_of(const Setting& setting, bool adaptive, bool pair) {
   const ContactChoice& contact = setting.contact;
   if (contact.kind == "impulse") label += fmt::format(", {} x {}", contact.iterations, contact.substeps);
   if (contact.kind == "penalty") label += ", " + text(contact);
+  if (setting.opening_angle >= 0) label += ", " + opening_text(setting.opening_angle);
   return label;
 }
 
@@ -86,6 +87,19 @@ std::vector<std::string> rotations_of(const Scene& scene, const Axes& axes) {
 /// A few integrators tell what another way to turn gives; not every one takes it.
 constexpr const char* enough_to_turn[] = {"rk4",   "velocity_verlet", "dormand_prince8", "dormand_prince5",
                                           "euler", "pefrl",           "yoshida6"};
+
+/// Opening angles of the tree, the scene's own first. A few integrators tell what another one gives.
+std::vector<double> openings_of(const Scene& scene, const Axes& axes) {
+  const double own = setting_of(scene).opening_angle;
+  if (own < 0) return {own};
+  if (!axes.openings.empty()) return axes.openings;
+  std::vector<double> list{own};
+  for (const double angle : {0.5, 0.0, 0.7, 0.3, 1.0}) {
+    if (angle != own) list.push_back(angle);
+  }
+  return list;
+}
+constexpr const char* enough_to_open[] = {"velocity_verlet", "rk4", "dormand_prince8"};
 
 /// Impulse contacts are of first order whatever moves the bodies between them: a few integrators tell all.
 constexpr const char* enough_for_impulse[] = {"semi_implicit_euler", "velocity_verlet", "rk4", "euler"};
@@ -180,6 +194,7 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
     names_for[contact.kind] = axes.integrators.empty() ? ranked_integrators(scene, contact.kind) : axes.integrators;
   }
   const auto turnings = rotations_of(scene, axes);
+  const auto openings = openings_of(scene, axes);
   std::map<std::string, std::string> reasons;  // and whom they refuse
   StableSteps stable(scene);
   const auto add = [&](const Setting& setting, bool adaptive) {
@@ -199,6 +214,7 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
     const auto alike = [&](const ContactChoice& contact) { return contact.kind == setting.contact.kind; };
     const bool first_contact = *std::find_if(contacts.begin(), contacts.end(), alike) == setting.contact;
     if (setting.precision != precisions.front() || setting.rotation != turnings.front() || !first_contact) return;
+    if (setting.opening_angle != openings.front()) return;
     std::string& names_so_far = reasons[why.starts_with(row.name) ? why.substr(row.name.size() + 1) : why];
     Setting bare = setting;
     bare.contact = {};
@@ -217,12 +233,20 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
       if (!chosen && contact.kind != main_kind) continue;
       const std::vector<std::string>& names = names_for[contact.kind];
       for (std::size_t i = 0; i < (chosen ? names.size() : std::min(names.size(), enough_in_single)); ++i) {
-        add_paces({names[i], 0, 0, precision, contact, turnings.front()});
+        add_paces({names[i], 0, 0, precision, contact, turnings.front(), openings.front()});
       }
     }
     for (std::size_t r = 1; r < turnings.size() && chosen; ++r) {
       const auto& few = axes.integrators.empty() ? some : axes.integrators;
-      for (const std::string& name : few) add_paces({name, 0, 0, precision, contacts.front(), turnings[r]});
+      for (const std::string& name : few) {
+        add_paces({name, 0, 0, precision, contacts.front(), turnings[r], openings.front()});
+      }
+    }
+    for (std::size_t o = 1; o < openings.size() && chosen; ++o) {
+      const std::vector<std::string> few(std::begin(enough_to_open), std::end(enough_to_open));
+      for (const std::string& name : axes.integrators.empty() ? few : axes.integrators) {
+        add_paces({name, 0, 0, precision, contacts.front(), turnings.front(), openings[o]});
+      }
     }
   }
   for (const auto& [why, whom] : reasons) refused.push_back(whom + ": " + why);
@@ -240,6 +264,9 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
   }
   if (scene.run.compensated && turns(scene)) {
     refused.push_back("rotation other than by " + turnings.front() + ": run.compensated goes with renormalise alone");
+  }
+  if (axes.integrators.empty() && axes.openings.empty() && openings.size() > 1) {
+    refused.push_back("other opening angles than the scene's, of more than three integrators (--openings)");
   }
   if (axes.integrators.empty() && axes.rotations.empty() && turnings.size() > 1) {
     refused.push_back("rotation other than by " + turnings.front() + ", of more than seven integrators (--rotations)");

@@ -32,6 +32,16 @@ std::string sentence(const Measure& measure, bool all) {
   return "largest " + what + " along the path, of " + whom;
 }
 
+/// A noise that is another one at each step leaves paths without a limit.
+void refuse_noise(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.effects.size(); ++i) {
+    if (scene.effects[i].kind != "thermostat") continue;
+    throw SceneError(fmt::format("effects[{}].kind", i),
+                     "a thermostat's noise is another one for each step: paths have no limit to hold errors against; "
+                     "expected a scene without it");
+  }
+}
+
 /// What can be said of the scene at once.
 void describe(Ground& ground) {
   const World world(ground.scene, ground.options);
@@ -131,6 +141,7 @@ bool refer_to_runs(Ground& ground, const GroundRequest& request, const GoOn& go_
 }  // namespace
 
 std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& request, const GoOn& go_on) {
+  refuse_noise(scene);
   Ground ground;
   ground.scene = scene;
   ground.whole = scene.run.duration;

@@ -88,6 +88,7 @@ std::optional<OrderStudy> observed_orders(const Scene& scene, const Request& req
   }
   if (axes.rotations.empty()) axes.rotations = {ground->scene.run.rotation};
   axes.contacts = {setting_of(ground->scene).contact};
+  axes.openings = {setting_of(ground->scene).opening_angle};
   const std::vector<Candidate> list = candidates(ground->scene, axes, 1, study.about.left_out);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const GoOn go_on = [&] { return progress("sweep", static_cast<double>(i) / static_cast<double>(list.size())); };

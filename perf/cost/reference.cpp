@@ -157,8 +157,12 @@ std::optional<ReferenceTrack> by_extrapolation(Scene scene, const Samples& sampl
   scene.run.absolute_tolerance = 0;
   const bool springs = scene.contact.kind == "penalty";
   const char* const integrator = springs ? for_springs : extrapolation;
-  const Setting coarse = allowed(scene, {integrator, 0, loose, Precision::extended}),
-                fine = allowed(scene, {integrator, 0, tight, Precision::extended});
+  const auto at = [&](double tolerance) {  // a tree would be an error of its own
+    Setting setting{integrator, 0, tolerance, Precision::extended};
+    if (may_use_tree(scene)) setting.opening_angle = 0;
+    return allowed(scene, setting);
+  };
+  const Setting coarse = at(loose), fine = at(tight);
   const std::optional<Track> first = tracked(scene, coarse, samples, options, go_on);
   if (!first) return std::nullopt;
   const double begin = seconds_now();
@@ -179,6 +183,7 @@ Setting finest_setting(const Scene& scene) {
   setting.tolerance = 0;
   setting.precision = Precision::double_;
   setting.contact.iterations *= 4;
+  if (setting.opening_angle > 0) setting.opening_angle = 0;  // a tree would be an error of its own
   for (const char* accurate : {"dormand_prince8", "rk4"}) {
     setting.step = scene.run.duration / 100;
     Setting other = setting;

@@ -33,6 +33,7 @@ struct Setting {
   Precision precision = Precision::double_;
   ContactChoice contact = {};
   std::string rotation = {};  ///< how bodies turn; "" where none does
+  double opening_angle = -1;  ///< of the tree of mutual_gravity [rad]; 0: every pair; -1: too few bodies for one
 
   bool operator==(const Setting&) const = default;
 };

@@ -31,6 +31,7 @@ void add_setting(Json& json, const Setting& setting) {
   json["precision"] = word(setting.precision);
   json["contact"] = contact_json(setting.contact);
   json["rotation"] = text_or_null(setting.rotation);
+  json["opening_angle"] = setting.opening_angle < 0 ? Json(nullptr) : Json(setting.opening_angle);
 }
 
 Json by_quantity(const std::array<double, quantity_count>& values) {
@@ -225,7 +226,8 @@ Json to_json(const Result& result) {
 
 std::string to_csv(const Result& result) {
   std::string csv =
-      "integrator,step,tolerance,precision,contact,iterations,substeps,stiffness,rotation,error,claimed,pareto,"
+      "integrator,step,tolerance,precision,contact,iterations,substeps,stiffness,rotation,opening_angle,error,claimed,"
+      "pareto,"
       "seconds_min,seconds_median,seconds_max,runs,steps,rejected_steps,force_evaluations";
   for (std::size_t q = 0; q < quantity_count; ++q) {
     const char* quantity = name(static_cast<Quantity>(q));
@@ -235,10 +237,11 @@ std::string to_csv(const Result& result) {
   for (const Point& p : result.points) {
     const Setting& s = p.setting;
     const ContactChoice& c = s.contact;
-    csv += fmt::format("{},{:.17g},{:.17g},{},{},{},{},{:.17g},{},{:.17g},{:d},{:d},{:.9g},{:.9g},{:.9g},{},{},{},{}",
-                       s.integrator, s.step, s.tolerance, word(s.precision), c.kind, c.iterations, c.substeps,
-                       c.stiffness, s.rotation, p.error, p.claimed, p.front, p.seconds.minimum, p.seconds.median,
-                       p.seconds.maximum, p.seconds.runs, p.steps, p.rejected_steps, p.force_evaluations);
+    csv += fmt::format(
+        "{},{:.17g},{:.17g},{},{},{},{},{:.17g},{},{},{:.17g},{:d},{:d},{:.9g},{:.9g},{:.9g},{},{},{},{}", s.integrator,
+        s.step, s.tolerance, word(s.precision), c.kind, c.iterations, c.substeps, c.stiffness, s.rotation,
+        s.opening_angle < 0 ? "" : fmt::format("{:g}", s.opening_angle), p.error, p.claimed, p.front, p.seconds.minimum,
+        p.seconds.median, p.seconds.maximum, p.seconds.runs, p.steps, p.rejected_steps, p.force_evaluations);
     for (const Distance& d : p.errors.of) csv += fmt::format(",{:.17g},{:.17g},{:.17g}", d.end, d.maximum, d.rms);
     const Errors& e = p.errors;
     const std::string event_time = tells_event_times(p, result) ? fmt::format("{:.9g}", e.events.time) : "";

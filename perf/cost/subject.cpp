@@ -46,6 +46,10 @@ Scene scene_with(const Scene& scene, const Setting& setting) {
   changed.run.precision = setting.precision;
   if (!setting.rotation.empty()) changed.run.rotation = setting.rotation;
   set_contact(changed.contact, setting.contact);
+  for (Effect& effect : changed.effects) {
+    if (setting.opening_angle < 0 || effect.kind != "mutual_gravity") continue;
+    effect.parameters["opening_angle"] = setting.opening_angle;
+  }
   return changed;
 }
 
@@ -55,7 +59,28 @@ Setting setting_of(const Scene& scene) {
   if (contact.kind == "impulse") own.contact = {contact.kind, contact.iterations, contact.substeps};
   if (contact.kind == "penalty") own.contact = {.kind = contact.kind, .stiffness = contact.stiffness};
   if (turns(scene)) own.rotation = scene.run.rotation;
+  if (!may_use_tree(scene)) return own;
+  own.opening_angle = 0;
+  for (const Effect& effect : scene.effects) {
+    const auto angle = effect.parameters.find("opening_angle");
+    if (effect.kind == "mutual_gravity" && angle != effect.parameters.end()) {
+      own.opening_angle = std::max(own.opening_angle, std::get<double>(angle->second));
+    }
+  }
   return own;
+}
+
+bool may_use_tree(const Scene& scene) {
+  constexpr std::size_t fewest = 128;  // below, every pair is summed anyway
+  const auto attracts_all = [](const Effect& effect) { return effect.kind == "mutual_gravity"; };
+  if (std::none_of(scene.effects.begin(), scene.effects.end(), attracts_all)) return false;
+  std::size_t bodies = 0;
+  const World world(scene);
+  for (const GroupReport& group : world.explain().groups) {
+    const auto attracts = [](const std::string& effect) { return effect == "mutual_gravity"; };
+    if (std::any_of(group.effects.begin(), group.effects.end(), attracts)) bodies += group.bodies;
+  }
+  return bodies >= fewest;
 }
 
 Setting allowed(const Scene& scene, Setting setting) {
@@ -85,6 +110,10 @@ bool same_curve(const Setting& a, const Setting& b) {
   return a == paced && (a.tolerance > 0) == (b.tolerance > 0);
 }
 
+std::string opening_text(double angle) {
+  return angle > 0 ? fmt::format("opening {:g}", angle) : "every pair";
+}
+
 std::string text(const Setting& setting) {
   std::string words = setting.integrator;
   words += setting.tolerance > 0 ? fmt::format(", tolerance {:.6g}", setting.tolerance)
@@ -93,6 +122,7 @@ std::string text(const Setting& setting) {
   if (setting.precision == Precision::extended) words += ", extended";
   if (!setting.rotation.empty() && setting.rotation != usual_rotation) words += ", rotation by " + setting.rotation;
   if (!setting.contact.kind.empty()) words += ", " + text(setting.contact);
+  if (setting.opening_angle >= 0) words += ", " + opening_text(setting.opening_angle);
   return words;
 }
 

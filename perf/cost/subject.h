@@ -15,6 +15,8 @@ namespace ballpark::cost {
 Scene scene_with(const Scene& scene, const Setting& setting);
 /// The scene's own.
 Setting setting_of(const Scene& scene);
+/// Do enough bodies attract each other for a tree?
+bool may_use_tree(const Scene& scene);
 /// The setting, with the usual rotation where its integrator cannot take the scene's.
 Setting allowed(const Scene& scene, Setting setting);
 /// Are moments of inertia unequal?
@@ -25,6 +27,7 @@ bool turns(const Scene& scene);
 std::string text(const Setting& setting);
 /// "12 iterations x 4", "penalty 1e+06 N/m"
 std::string text(const ContactChoice& contact);
+std::string opening_text(double angle);
 /// "49.4 us"
 std::string time_text(double seconds);
 /// Whole steps of the setting in the duration; 0: it has none, or they do not fill it.

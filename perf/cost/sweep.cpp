@@ -61,7 +61,7 @@ class Walk {
       if (counts) idle = error < gain * best ? 0 : idle + 1;
       if (counts) best = std::min(best, error);
       if (best < small_ && idle > idle_points) break;
-      if (idle > most_idle && !same_equations(ground_.scene, setting.contact)) break;
+      if (idle > most_idle && (setting.opening_angle > 0 || !same_equations(ground_.scene, setting.contact))) break;
     }
     result_.curves.push_back(std::move(curve));
     return true;

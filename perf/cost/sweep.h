@@ -17,6 +17,7 @@ struct Axes {
   std::vector<Precision> precisions;
   std::vector<ContactChoice> contacts;  ///< of scenes with contacts; asked for: without numbers, the usual ones
   std::vector<std::string> rotations;   ///< of scenes in which bodies turn
+  std::vector<double> openings;         ///< of scenes in which enough bodies attract each other for a tree [rad]
 };
 
 /// A curve to be tried: its settings from coarse to fine.

@@ -18,15 +18,9 @@ namespace {
 using perf::seconds_now;
 
 constexpr int rounds = 7;
-constexpr double body_steps_of_run = 1e6;  ///< of a run, about
 constexpr std::uint64_t fewest_steps = 2;
 constexpr double long_step = 0.05;           ///< effects between bodies: so many bodies that a step takes no longer [s]
 constexpr std::size_t fewest_pairing = 256;  ///< where the search for them begins
-
-std::uint64_t steps_for(std::size_t bodies) {
-  const double steps = std::ceil(body_steps_of_run / static_cast<double>(std::max<std::size_t>(bodies, 1)));
-  return std::max(fewest_steps, static_cast<std::uint64_t>(steps));
-}
 
 /// Seconds that a scene's run takes for a simulated second, from a part of it that the clock sees well.
 double pace_of(const Scene& scene, const Options& options) {
@@ -83,6 +77,10 @@ class Study {
   bool on() {
     const double taken = seconds_now() - begin_;
     return progress_("timing", std::min(1.0, taken / request_.seconds));
+  }
+  std::uint64_t steps_for(std::size_t bodies) const {
+    const double steps = std::ceil(request_.body_steps / static_cast<double>(std::max<std::size_t>(bodies, 1)));
+    return std::max(fewest_steps, static_cast<std::uint64_t>(steps));
   }
   /// Many before few.
   std::vector<std::size_t> sizes() const {

@@ -15,6 +15,7 @@ struct PricesRequest {
   std::optional<Scene> scene = {};  ///< none: all effects of the catalogue, alone
   std::size_t bodies = 1'000'000;   ///< of the large scenes
   double seconds = 60;              ///< for all of it, about
+  double body_steps = 1e6;          ///< of each timed run, about
   Options options = {};             ///< its precision: only this one
 };
 

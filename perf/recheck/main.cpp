@@ -72,6 +72,10 @@ class Rerun {
     scene.run.precision = point["precision"] == "single" ? ballpark::Precision::single_ : ballpark::Precision::double_;
     if (!point["rotation"].is_null()) scene.run.rotation = point["rotation"];
     if (!point["contact"].is_null()) touch(scene.contact, point["contact"]);
+    for (ballpark::Effect& effect : scene.effects) {
+      if (effect.kind != "mutual_gravity" || point["opening_angle"].is_null()) continue;
+      effect.parameters["opening_angle"] = point["opening_angle"].get<double>();
+    }
     return scene;
   }
 

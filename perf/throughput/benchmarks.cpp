@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "perf/effects/sample.h"
+#include "perf/throughput/attraction.h"
 #include "perf/throughput/neighbours.h"
 #include "perf/throughput/scenes.h"
 
@@ -106,7 +107,7 @@ Comparison effect_prices(const Settings& settings) {
     const Scene base = falling_spheres(bodies);
     c.subjects.push_back(world_subject(c.base, base, on_threads(1)));
     for (const EffectDescription& description : effects()) {
-      if (description.name == "gravity") continue;
+      if (description.name == "gravity" || (description.between_bodies && bodies > 10'000)) continue;
       Scene scene = base;
       scene.effects.push_back(sample_of(description, bodies));
       c.subjects.push_back(world_subject(description.name, scene, on_threads(1)));
@@ -149,8 +150,11 @@ Comparison sizes_and_targets(const Settings& settings) {
 }  // namespace
 
 const std::vector<Benchmark>& benchmarks() {
-  static const std::vector<Benchmark> all = {
-      {"methods", methods}, {"effects", effect_prices}, {"sizes", sizes_and_targets}, {"neighbours", neighbours}};
+  static const std::vector<Benchmark> all = {{"methods", methods},
+                                             {"effects", effect_prices},
+                                             {"sizes", sizes_and_targets},
+                                             {"neighbours", neighbours},
+                                             {"attraction", attraction}};
   return all;
 }
 

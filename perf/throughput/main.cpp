@@ -7,6 +7,8 @@
 #include <fstream>
 #include <optional>
 
+#include "perf/throughput/attraction.h"
+#include "perf/throughput/bars.h"
 #include "perf/throughput/drop.h"
 #include "perf/throughput/report.h"
 
@@ -32,8 +34,8 @@ std::optional<int> parse(int argc, char** argv, CommandLine& line) {
       "Measures Ballpark's throughput beside a hand-written loop and Boost.odeint, in turns in one run.\n"
       "Exit code 1 if their results disagree, or (--check-bars) if a ratio misses its bar.");
   std::vector<std::string> all = line.names;
-  all.push_back("drop");
-  app.add_option("comparison", line.names, "which to run (default: all but drop, which takes minutes)")
+  all.insert(all.end(), {"bars", "drop", "tree"});
+  app.add_option("comparison", line.names, "which to run (default: all but bars, drop and tree, which take minutes)")
       ->check(CLI::IsMember(all));
   app.add_option("--balls", line.drop.balls, "of drop: 1000, 10000 or 100000 fall into a box")
       ->check(CLI::Range(1, 10000000))
@@ -83,14 +85,22 @@ bool all_met(const std::vector<Result>& results, bool check_bars) {
   });
 }
 
+/// Was this asked for? Then it is done apart from the comparisons.
+bool taken(CommandLine& line, const char* name) {
+  return std::erase(line.names, name) > 0;
+}
+
 int run(CommandLine line) {
-  const auto drops = std::find(line.names.begin(), line.names.end(), "drop");
-  if (drops != line.names.end()) {
-    line.names.erase(drops);
+  if (taken(line, "drop")) {
     line.drop.threads = line.settings.threads;
     drop(line.drop);
     if (line.names.empty()) return done;
   }
+  bool met = true;
+  if (taken(line, "tree")) met = tree({line.settings.bodies, line.settings.threads}) && met;
+  if (taken(line, "bars")) met = bars(line.settings) && met;
+  met = met || !line.check_bars;
+  if (line.names.empty()) return met ? done : failed;
   const Machine here = machine();
   const bool json_only = line.json && line.json->empty();
   if (!json_only) fmt::print("{}", heading(here, line.settings));
@@ -100,7 +110,7 @@ int run(CommandLine line) {
     fmt::print(stderr, "cannot write {}\n", *line.json);
     return bad_usage;
   }
-  return all_met(results, line.check_bars) ? done : failed;
+  return all_met(results, line.check_bars) && met ? done : failed;
 }
 
 }  // namespace

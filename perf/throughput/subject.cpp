@@ -2,41 +2,16 @@
 
 #include <algorithm>
 #include <memory>
-#include <new>
 #include <stdexcept>
 
 #include "perf/bandwidth.h"
+#include "perf/throughput/bare_arrays.h"
 
 namespace ballpark::perf {
 
 namespace {
 
 constexpr double bytes_of_a_particle_step = 6 * 2 * sizeof(double);  // position and velocity, read and written
-
-// Six arrays as a careful programmer would allocate them.
-class BareArrays {
- public:
-  explicit BareArrays(const StateColumns& columns) : count_(columns.front().size()) {
-    for (const std::vector<double>& column : columns) {
-      arrays_.emplace_back(static_cast<double*>(::operator new (count_ * sizeof(double), std::align_val_t{64})));
-      std::copy(column.begin(), column.end(), arrays_.back().get());
-    }
-  }
-  std::size_t count() const { return count_; }
-  double* operator[](std::size_t c) const { return arrays_[c].get(); }
-  StateColumns columns() const {
-    StateColumns copies;
-    for (const auto& array : arrays_) copies.emplace_back(array.get(), array.get() + count_);
-    return copies;
-  }
-
- private:
-  struct Free {
-    void operator()(double* array) const { ::operator delete (array, std::align_val_t{64}); }
-  };
-  std::size_t count_;
-  std::vector<std::unique_ptr<double, Free>> arrays_;
-};
 
 using Loop = decltype(&hand_written_rk4);
 

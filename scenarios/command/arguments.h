@@ -14,8 +14,8 @@ struct Arguments {
   std::optional<std::string> threads, precision, target, copies, perturb, path;
   std::optional<std::string> state, figure, every, out, columns, out_precision;
   std::optional<std::string> steps, seconds;
-  std::optional<std::string> integrators, axis_steps, tolerances, precisions, axis_contacts,
-      rotations;  ///< axes of `cost`
+  std::optional<std::string> integrators, axis_steps, tolerances, precisions, axis_contacts, rotations,
+      openings;  ///< axes of `cost`
   std::optional<std::string> error, reference, tolerance, budget, csv, svg, html;
   std::optional<std::string> bodies;                                                             ///< of `prices`
   std::optional<std::string> frames, max_size, with, scene, compare, still, size, colour, from;  ///< of `view`

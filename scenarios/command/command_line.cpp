@@ -78,6 +78,10 @@ constexpr Option cost_options[] = {
      "of impulse, penalty, iterations x substeps (12x4) and penalty:STIFFNESS [N/m], where bodies touch (default: "
      "both)",
      &Arguments::axis_contacts},
+    {"--openings", "LIST",
+     "opening angles of mutual_gravity's tree, where 128 bodies or more attract each other; 0: every pair (default: "
+     "the scene's, 0, 0.3, 0.5, 0.7 and 1)",
+     &Arguments::openings},
     {"--error", "E",
      "what an error is: position, velocity, orientation or spin, and .maximum along the path, .rms or "
      ".end (default: position.maximum, or orientation)",

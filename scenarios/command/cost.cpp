@@ -19,21 +19,15 @@ namespace {
 std::string command_of(const Arguments& arguments) {
   std::string command = "ballpark cost " + arguments.name;
   for (const std::string& text : arguments.overrides) command += " --set " + text;
-  const std::pair<const char*, const std::optional<std::string>&> options[] = {{"--integrators", arguments.integrators},
-                                                                               {"--steps", arguments.axis_steps},
-                                                                               {"--tolerances", arguments.tolerances},
-                                                                               {"--precisions", arguments.precisions},
-                                                                               {"--rotations", arguments.rotations},
-                                                                               {"--contacts", arguments.axis_contacts},
-                                                                               {"--error", arguments.error},
-                                                                               {"--reference", arguments.reference},
-                                                                               {"--seconds", arguments.seconds},
-                                                                               {"--tolerance", arguments.tolerance},
-                                                                               {"--budget", arguments.budget},
-                                                                               {"--copies", arguments.copies},
-                                                                               {"--perturb", arguments.perturb},
-                                                                               {"--threads", arguments.threads},
-                                                                               {"--target", arguments.target}};
+  const std::pair<const char*, const std::optional<std::string>&> options[] = {
+      {"--integrators", arguments.integrators}, {"--steps", arguments.axis_steps},
+      {"--tolerances", arguments.tolerances},   {"--precisions", arguments.precisions},
+      {"--rotations", arguments.rotations},     {"--contacts", arguments.axis_contacts},
+      {"--openings", arguments.openings},       {"--error", arguments.error},
+      {"--reference", arguments.reference},     {"--seconds", arguments.seconds},
+      {"--tolerance", arguments.tolerance},     {"--budget", arguments.budget},
+      {"--copies", arguments.copies},           {"--perturb", arguments.perturb},
+      {"--threads", arguments.threads},         {"--target", arguments.target}};
   for (const auto& [name, value] : options) {
     if (value) command += fmt::format(" {} {}", name, *value);
   }

@@ -70,6 +70,17 @@ std::vector<cost::ContactChoice> contacts_of(const std::string& text) {
   return list;
 }
 
+/// In the order asked for: 0 sums every pair.
+std::vector<double> openings_of(const std::string& text) {
+  std::vector<double> angles;
+  for (const std::string& word : split(text, ',')) {
+    const double angle = word == "0" ? 0 : real_number("--openings", word, false);
+    if (angle > 1) throw UsageError(fmt::format("--openings: {:g} rad is beyond 1, the largest opening angle", angle));
+    angles.push_back(angle);
+  }
+  return angles;
+}
+
 /// Steps that do not fill the duration have no end to compare.
 void check_steps(const std::vector<double>& steps, double duration) {
   for (const double step : steps) {
@@ -107,6 +118,12 @@ cost::Axes axes_of(const Arguments& arguments, const Scene& scene) {
     std::vector<std::string> names;
     for (const NamedDescription& rule : rotations()) names.push_back(rule.name);
     axes.rotations = words_of("--rotations", *arguments.rotations, "rotation", names);
+  }
+  if (arguments.openings) {
+    if (!cost::may_use_tree(scene)) {
+      throw UsageError("--openings: mutual_gravity acts on fewer than 128 bodies of this scene, which use no tree");
+    }
+    axes.openings = openings_of(*arguments.openings);
   }
   if (arguments.axis_contacts) {
     if (scene.contact.kind.empty()) throw UsageError("--contacts: this scene has no contacts");

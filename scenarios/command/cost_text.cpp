@@ -179,7 +179,8 @@ void add_prices(Page& page, const Result& result) {
     std::string of_euler = "-";  // with the same contacts
     for (const Price& other : prices) {
       const cost::Setting& euler = other.point->setting;
-      const bool alike = euler.contact == setting.contact && euler.rotation == setting.rotation;
+      const bool alike = euler.contact == setting.contact && euler.rotation == setting.rotation &&
+                         euler.opening_angle == setting.opening_angle;
       if (euler.integrator == "euler" && alike) of_euler = fmt::format("{:.2f}", price.seconds() / other.seconds());
     }
     const auto steps = static_cast<double>(price.point->steps);

@@ -87,9 +87,12 @@ Description describe_effect(const EffectDescription& effect) {
   text.fields({{"reads", or_none(effect.reads)},
                {"exerts", or_none(effect.exerts)},
                {"energy", effect.has_energy ? "has a potential, counted in the run's energy" : "no potential"},
-               {"taylor2", effect.has_force_derivative ? "gives its force derivative" : "no force derivative: refused"},
+               {"taylor2", effect.between_steps          ? "no matter: acts between steps"
+                           : effect.has_force_derivative ? "gives its force derivative"
+                                                         : "no force derivative: refused"},
                {"cost", counted(static_cast<std::uint64_t>(effect.flops), "flop", "flops") +
-                            (effect.between_bodies ? " per pair" : " per body") + " and evaluation"},
+                            (effect.between_bodies ? " per pair" : " per body") +
+                            (effect.between_steps ? " and step" : " and evaluation")},
                {"source", effect.source}});
   text.heading("In a scene file");
   add_lines(text, example(effect));

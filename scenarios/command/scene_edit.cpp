@@ -145,6 +145,11 @@ std::string with_setting(const std::string& text, const scenes::SceneFile& file,
     put(edited, "run", "duration", "rotation", '"' + setting.rotation + '"');
   }
   put_contact(edited, file.scene.contact, setting.contact);
+  if (setting.opening_angle != cost::setting_of(file.scene).opening_angle) {
+    throw UsageError(
+        fmt::format("--write: opening_angle = {:g} of mutual_gravity must be set by hand; nothing was written",
+                    setting.opening_angle));
+  }
   std::string changed = edited.text();
   try {
     if (cost::setting_of(scenes::parse(changed, file.path).scene) == setting) return changed;

@@ -19,6 +19,15 @@ Rows law_rows() {
           .in(share)
           .otherwise("1"),
       Row("friction", number, "1", into(&Law::friction), "Coulomb's coefficient.").in(not_negative).otherwise("0"),
+      Row("restitution_speed", number, "m/s", into(&Law::restitution_speed),
+          "impulse: speed of approach at which restitution is that: slower impacts are more elastic (1 - (1 - e) "
+          "(v/v0)^(1/5)), faster ones less (e (v0/v)^(1/4)). 0: the same at all speeds.")
+          .in(not_negative)
+          .otherwise("0"),
+      Row("cohesion", number, "J/m^2", into(&Law::cohesion),
+          "penalty: work of adhesion w; surfaces that touch pull with 2 pi w R1 R2 / (R1 + R2).")
+          .in(not_negative)
+          .otherwise("0"),
   };
 }
 

@@ -137,17 +137,23 @@ Rows generate_rows() {
   return {
       Row("kind", word, "", into(&Generate::kind),
           "lattice: a cubic grid, x fastest. random: uniform in the box from lower to upper. rack: a triangle of "
-          "balls, "
-          "row after row along x.")
-          .one_of({"lattice", "random", "rack"})
+          "balls, row after row along x. plummer: a cluster of stars, the inner 99 % of its mass.")
+          .one_of({"lattice", "random", "rack", "plummer"})
           .must(),
       Row("count", wholes, "", into(&Generate::count),
-          "lattice: [nx, ny, nz]. random: how many bodies. rack: how many rows.")
+          "lattice: [nx, ny, nz]. random, plummer: how many bodies. rack: how many rows.")
           .must(),
-      Row("origin", vector, "m", into(&Generate::origin), "lattice, rack: position of the first body.").otherwise(zero),
+      Row("origin", vector, "m", into(&Generate::origin), "lattice, rack: position of the first body. plummer: centre.")
+          .otherwise(zero),
       Row("spacing", number, "m", into(&Generate::spacing), "lattice, rack: distance between neighbours.").in(positive),
       Row("lower", vector, "m", into(&Generate::lower), "random: lowest corner of the box.").otherwise(zero),
       Row("upper", vector, "m", into(&Generate::upper), "random: highest corner of the box.").otherwise(zero),
+      Row("scale", number, "m", into(&Generate::scale), "plummer: a of its density, as (1 + r^2 / a^2)^(-5/2).")
+          .in(positive),
+      Row("strength", number, "m^3/s^2", into(&Generate::strength),
+          "plummer: G times the mass of all, with which velocities are in balance; 0: at rest.")
+          .in(not_negative)
+          .otherwise("0"),
       Row("velocity_spread", vector, "m/s", into(&Generate::velocity_spread),
           "Adds a uniform value in [-s, s] to each component of the velocity.")
           .in(not_negative)

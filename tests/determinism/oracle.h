@@ -125,6 +125,7 @@ class RandomGroup {
       if constexpr (requires { c.rows; }) c.rows.row = i == 0 ? -1 : 21;
       if constexpr (requires { c.centrifugal; }) c.centrifugal = i == 0;
       if constexpr (requires { c.radius; }) c.radius.rows = add(&Numbers::positive);
+      if constexpr (requires { c.inverse_inertia; }) c.inverse_inertia.rows = add(&Numbers::positive);
       if constexpr (requires { c.anchor; }) {
         for (PerBody& anchor : c.anchor) anchor.rows = add(&Numbers::plain);
         c.rest_length = i == 0 ? Real(0) : Real(0.5);
@@ -155,7 +156,11 @@ class RandomGroup {
     if constexpr (requires { c.force; }) c.force = vector();
     if constexpr (requires { c.torque; }) c.torque = vector();
     if constexpr (requires { c.field; }) c.field = vector();
-    if constexpr (requires { c.rate; }) c.rate = vector(), c.point = vector();
+    if constexpr (requires { c.rate.x; }) c.rate = vector(), c.point = vector();
+    if constexpr (requires { c.sliding; }) {
+      c.normal = vector(), c.turning = vector();
+      for (Real* number : {&c.sliding, &c.rolling, &c.spinning, &c.rate}) *number = numbers_.positive();
+    }
     return c;
   }
   Vector3<Real> vector() { return {numbers_.plain(), numbers_.plain(), numbers_.plain()}; }

@@ -8,7 +8,7 @@ namespace {
 /// The law of a ball and the plane (as `Material` has it): of the pair, else geometric means.
 template <class R>
 struct Law {
-  R restitution, friction;
+  R restitution, friction, restitution_speed;
 
   Law(const Scene& scene, const std::string& one, const std::string& two) {
     const auto pair = std::find_if(scene.material_pairs.begin(), scene.material_pairs.end(), [&](const auto& p) {
@@ -19,6 +19,7 @@ struct Law {
     const bool given = pair != scene.material_pairs.end();
     restitution = given ? R(pair->restitution) : mean(of(one).restitution, of(two).restitution);
     friction = given ? R(pair->friction) : mean(of(one).friction, of(two).friction);
+    restitution_speed = given ? R(pair->restitution_speed) : mean(of(one).restitution_speed, of(two).restitution_speed);
   }
 };
 
@@ -137,6 +138,7 @@ std::optional<ExactMotion> bouncing_ball(const TouchingBodies& all, std::size_t 
   if (plane.shape != "plane" || plane.motion || !plane.surface_velocity.isZero(0)) return std::nullopt;
   const LoneBody& ball = all.bodies.at(id);
   if (!only_bounces(scene, plane, ball)) return std::nullopt;
+  if (Law<double>(scene, ball.group.material, plane.material).restitution_speed > 0) return std::nullopt;
   for (std::size_t i = 0; i < all.bodies.size(); ++i) {
     const LoneBody& other = all.bodies[i];
     if (i != id && !other.group.shape.empty() && may_meet(all, ball, other)) return std::nullopt;

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "perf/cost/draw/axis.h"
+#include "perf/cost/subject.h"
 
 namespace ballpark::cost::draw {
 
@@ -125,6 +126,7 @@ std::string setting_text(const Setting& s) {
   if (s.tolerance > 0) text += ", tolerance " + number(s.tolerance);
   if (s.precision != Precision::double_) text += s.precision == Precision::single_ ? ", single" : ", extended";
   if (!s.rotation.empty() && s.rotation != usual_rotation) text += ", " + s.rotation;
+  if (s.opening_angle >= 0) text += ", " + opening_text(s.opening_angle);
   if (s.contact.kind == "penalty") text += ", penalty " + number(s.contact.stiffness) + " N/m";
   if (s.contact.iterations > 0) text += fmt::format(", {} iterations", s.contact.iterations);
   if (s.contact.substeps > 1) text += fmt::format(", {} substeps", s.contact.substeps);

@@ -23,9 +23,12 @@ TEST_CASE("Catalogue: every effect and integrator runs", "[api]") {
   for (const ballpark::EffectDescription& description : ballpark::effects()) {
     for (const ballpark::IntegratorDescription& integrator : ballpark::integrators()) {
       const bool flows = contains(description.exerts, "flow"), resists = contains(description.exerts, "inertia");
-      Scene scene = scene_of({sized(bricks("b", 3))}, {sample(description)});
+      const bool of_balls = description.name == "table";  // which bodies of unequal moments do not roll on
+      Scene scene = scene_of({sized(of_balls ? round_bricks("b", 3) : bricks("b", 3))}, {sample(description)});
+      if (of_balls) scene.effects[0].parameters["settling"] = 1.0;
+      if (description.name == "reflecting_wall") scene.effects[0].parameters["point"] = Vector3d(0, 0, 50);
       if (flows) scene.effects.push_back(effect("linear_drag", {{"coefficient", 0.3}}));  // which it acts through
-      if (resists) scene.effects.push_back(effect("gravity"));
+      if (resists || of_balls) scene.effects.push_back(effect("gravity"));
       scene.run.integrator = integrator.name;
       scene.run.duration = 10 * scene.run.step;
       const bool differentiated = integrator.name != "taylor2" || description.has_force_derivative;
@@ -44,7 +47,7 @@ TEST_CASE("Catalogue: every effect and integrator runs", "[api]") {
       without.step(10);
       CAPTURE(description.name, integrator.name);
       CHECK(with.status().code == ballpark::Status::Code::ok);
-      CHECK(with.body(0).has_orientation);
+      CHECK(with.body(0).has_orientation != of_balls);
       CHECK(with.totals().non_finite_bodies == 0);
       CHECK(with.state_hash() != without.state_hash());
     }

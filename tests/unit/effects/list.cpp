@@ -32,7 +32,8 @@ const std::map<std::string, Abilities> abilities = {
     {"reynolds_drag", {false, true, false, true}},   {"spin_decay", {false, true, false, true}},
     {"added_mass", {true, true, false, false}},      {"wind", {false, true, false, false}},
     {"gusts", {false, true, false, false}},          {"lennard_jones", {true, false, false, true}},
-    {"soft_repulsion", {true, false, false, true}},
+    {"thermostat", {false, false, false, false}},    {"reflecting_wall", {false, false, false, false}},
+    {"soft_repulsion", {true, false, false, true}},  {"table", {false, false, false, true}},
 };
 
 }  // namespace
@@ -100,7 +101,8 @@ TEST_CASE("Effect list: effects between bodies have an energy, no force derivati
                                                                {"softening", 0.0},
                                                                {"epsilon", 1.0},
                                                                {"sigma", 1.0},
-                                                               {"cutoff", 1.5}};
+                                                               {"cutoff", 1.5},
+                                                               {"opening_angle", 0.5}};
     const auto slot_of = [](std::size_t id) { return id; };
     const EffectInput input{parameters, 0, {}};
     const auto effect = info.make({input, two, slot_of, {}, {}, neighbours, workers});

@@ -47,7 +47,9 @@ Effect on_bricks(const ballpark::EffectDescription& description) {
 
 TEST_CASE("Bad effects: every parameter of every effect is required, typed and finite", "[check]") {
   for (const ballpark::EffectDescription& description : ballpark::effects()) {
-    CHECK(check(scene_of({sized(bricks("b", 2))}, {on_bricks(description)})).empty());
+    const bool of_balls = description.name == "table";  // which bodies of unequal moments do not roll on
+    const BodyGroup bodies = of_balls ? round_bricks("b", 2) : bricks("b", 2);
+    CHECK(check(scene_of({sized(bodies)}, {on_bricks(description)})).empty());
     for (const ParameterInfo& parameter : description.parameters) {
       const std::string path = "effects[0]." + parameter.name;
       CAPTURE(description.name, parameter.name);

@@ -59,6 +59,13 @@ inline BodyGroup bricks(const std::string& name, std::size_t count) {
   return group;
 }
 
+/// Of one moment of inertia.
+inline BodyGroup round_bricks(const std::string& name, std::size_t count) {
+  BodyGroup group = bricks(name, count);
+  group.inertia = {{0.2, 0.2, 0.2}};
+  return group;
+}
+
 /// The same with a radius, as fluids ask for.
 inline BodyGroup sized(BodyGroup group) {
   group.radius = {0.1};

@@ -1,4 +1,8 @@
 // What exists for a scene: columns, passes and bytes, with and without each effect.
+#include <algorithm>
+#include <random>
+#include <utility>
+
 #include "tests/catch.h"
 #include "tests/unit/world/made_scenes.h"
 
@@ -86,6 +90,7 @@ std::vector<Claim> claims() {
           {sample_of("wind"), "point", {}, 0},
           {sample_of("gusts"), "point", {}, 0},
           {sample_of("added_mass"), "point", {}, 0},
+          {sample_of("table"), "spinning", spin, 6},
           {sample_of("pivot"), "pivoted", {"angular_momentum 3", "arm 3", "inverse_inertia 6", "orientation 4"}, 0}};
 }
 
@@ -158,9 +163,72 @@ TEST_CASE("Structure: each effect brings what its nature asks for, and nothing e
     CHECK_FALSE(contains(all.off, between));
     CHECK_FALSE(contains(all.off, "force sums"));
   }
+  for (const std::string between : {"thermostat", "reflecting_wall"}) {
+    const Explanation all = explained(scene_of({balls("g", 2)}, {sample_of(between)}));
+    CAPTURE(between);
+    covered.push_back(between);
+    CHECK(all.path == "fused");
+    CHECK(all.groups[0].motion == "point");
+    CHECK(all.groups[0].effects == Words{between});
+    CHECK(columns_of(all, "g") == columns_of(bare, "g"));
+    REQUIRE(all.passes.size() == 2);
+    CHECK(all.passes[0].bytes_per_body == bare.passes[0].bytes_per_body);
+    CHECK(all.passes[0].flops_per_body == bare.passes[0].flops_per_body);
+    CHECK(all.passes[1].name == between);
+    CHECK(all.passes[1].bytes_per_body == (between == "thermostat" ? 48 : 96));
+    CHECK(contains(bare.off, between));
+    CHECK_FALSE(contains(all.off, between));
+  }
   for (const ballpark::EffectDescription& description : ballpark::effects()) {
     CAPTURE(description.name);
     CHECK(contains(covered, description.name));
+  }
+}
+
+TEST_CASE("Structure: in any company an effect adds its own columns, bytes and arithmetic", "[structure]") {
+  constexpr int evaluations = 4;  // of rk4
+  std::vector<Claim> all = claims();
+  std::erase_if(all, [](const Claim& claim) {
+    const bool has_column = claim.columns == Words{"spring.anchor 3"};
+    return has_column || claim.motion == "pivoted" || claim.effect.kind == "added_mass";
+  });
+  std::mt19937 random(6);
+  for (int round = 0; round < 300; ++round) {
+    std::shuffle(all.begin(), all.end(), random);
+    std::vector<Effect> company;
+    bool spins = false, on_table = false;
+    for (std::size_t i = 0; i < 1 + random() % 8; ++i) {
+      if (all[i].effect.kind == "table" && std::exchange(on_table, true)) continue;
+      company.push_back(all[i].effect);
+      spins |= all[i].motion == "spinning";
+    }
+    const Effect last = company.back();
+    const Explanation with = explained(scene_of({balls("g", 2)}, company));
+    company.pop_back();
+    if (spins) company.push_back(effect("torque", {{"torque", Vector3d(0, 0, 0)}}));
+    const Explanation before = explained(scene_of({balls("g", 2)}, company));
+    CAPTURE(round, last.kind, company.size());
+    REQUIRE(with.passes.size() == 1);
+    REQUIRE(before.passes.size() == 1);
+    CHECK(with.groups[0].motion == (spins ? "spinning" : "point"));
+    CHECK(columns_of(with, "g") == columns_of(before, "g"));
+    CHECK(with.passes[0].bytes_per_body == before.passes[0].bytes_per_body);
+    const auto flops_of = [](const std::string& kind) {
+      for (const ballpark::EffectDescription& description : ballpark::effects()) {
+        if (description.name == kind) return description.flops;
+      }
+      return 0;
+    };
+    const auto reads_position = [](const Effect& effect) {
+      for (const ballpark::EffectDescription& description : ballpark::effects()) {
+        if (description.name == effect.kind) return contains(description.reads, "position");
+      }
+      return false;
+    };
+    const bool first_to_read = reads_position(last) && std::none_of(company.begin(), company.end(), reads_position);
+    const int replaced = spins ? flops_of("torque") : 0, of_stages = first_to_read ? 2 * 3 * (evaluations - 1) : 0;
+    CHECK(with.passes[0].flops_per_body ==
+          before.passes[0].flops_per_body + evaluations * (flops_of(last.kind) - replaced) + of_stages);
   }
 }
 

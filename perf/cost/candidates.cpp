@@ -99,7 +99,9 @@ std::vector<double> openings_of(const Scene& scene, const Axes& axes) {
   }
   return list;
 }
-constexpr const char* enough_to_open[] = {"velocity_verlet", "rk4", "dormand_prince8"};
+bool opens(const std::string& integrator) {
+  return integrator == "velocity_verlet" || integrator == "rk4" || integrator == "dormand_prince8";
+}
 
 /// Impulse contacts are of first order whatever moves the bodies between them: a few integrators tell all.
 constexpr const char* enough_for_impulse[] = {"semi_implicit_euler", "velocity_verlet", "rk4", "euler"};
@@ -217,7 +219,7 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
     if (setting.opening_angle != openings.front()) return;
     std::string& names_so_far = reasons[why.starts_with(row.name) ? why.substr(row.name.size() + 1) : why];
     Setting bare = setting;
-    bare.contact = {};
+    bare.contact = {}, bare.opening_angle = -1;
     names_so_far += (names_so_far.empty() ? "" : ", ") + label_of(bare, adaptive, row.adaptive);
     if (setting.contact.kind != main_kind) names_so_far += fmt::format(" (under {} contacts)", setting.contact.kind);
   };
@@ -233,19 +235,16 @@ std::vector<Candidate> candidates(const Scene& scene, const Axes& axes, std::siz
       if (!chosen && contact.kind != main_kind) continue;
       const std::vector<std::string>& names = names_for[contact.kind];
       for (std::size_t i = 0; i < (chosen ? names.size() : std::min(names.size(), enough_in_single)); ++i) {
-        add_paces({names[i], 0, 0, precision, contact, turnings.front(), openings.front()});
+        for (const double angle : chosen ? openings : std::vector{openings.front()}) {
+          const bool told = angle == openings.front() || !axes.integrators.empty() || opens(names[i]);
+          if (told) add_paces({names[i], 0, 0, precision, contact, turnings.front(), angle});
+        }
       }
     }
     for (std::size_t r = 1; r < turnings.size() && chosen; ++r) {
       const auto& few = axes.integrators.empty() ? some : axes.integrators;
       for (const std::string& name : few) {
         add_paces({name, 0, 0, precision, contacts.front(), turnings[r], openings.front()});
-      }
-    }
-    for (std::size_t o = 1; o < openings.size() && chosen; ++o) {
-      const std::vector<std::string> few(std::begin(enough_to_open), std::end(enough_to_open));
-      for (const std::string& name : axes.integrators.empty() ? few : axes.integrators) {
-        add_paces({name, 0, 0, precision, contacts.front(), turnings.front(), openings[o]});
       }
     }
   }

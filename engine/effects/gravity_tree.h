@@ -15,7 +15,8 @@ namespace ballpark::BALLPARK_PRECISION {
 class GravityTree {
  public:
   static constexpr std::size_t group_size = 32;  ///< bodies that share a walk, at most
-  static constexpr std::size_t fewest = 128;     ///< bodies below which all pairs are summed faster
+  /// Below, all pairs are summed: faster there, and Newton's method, which knows pairs alone, takes no more than 200.
+  static constexpr std::size_t fewest = 256;
 
   /// opening_angle: of a cell that is seen as one, its size over its distance, at most.
   explicit GravityTree(Real opening_angle) : opening_angle_(opening_angle) {}

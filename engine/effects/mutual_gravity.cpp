@@ -193,7 +193,7 @@ EffectDescription MutualGravity::description() {
                       .fallback = 0.0,
                       .minimum = 0,
                       .maximum = 1,
-                      .doc = "size over distance of the largest cells that pull as one, e.g. 0.5; 0, or fewer than 128 "
+                      .doc = "size over distance of the largest cells that pull as one, e.g. 0.5; 0, or fewer than 256 "
                              "bodies: every pair"}},
       .reads = {"position"},
       .exerts = {"force"},

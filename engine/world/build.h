@@ -38,8 +38,6 @@ class Builder {
   void add_effects(Group& group);
   void add_effective_mass(Group& group);
   void add_stiffness(Group& group, const std::vector<Effect>& effects);
-  // between_steps.cpp
-  void add_step_effects();
   void check_stability();
   void check_stability(const std::string& whose, const Stiffness& per_mass);
   void add_carry(Group& group);
@@ -52,6 +50,7 @@ class Builder {
   void check_iteration() const;
   void add_parts();
   void add_events();
+  void add_step_effects();  // between_steps.cpp
   // build_pairs.cpp
   void weave();
   void add_pair_systems();

@@ -240,14 +240,17 @@ Ledger World::ledger() const {
   if (!book_) throw SceneError("ledger", "the ledger is closed; expected keep_ledger(true) before the steps");
   const EnergyReading now = read_energy(), &then = book_->initial;
   Ledger all{book_->from, time(), then.kinetic, now.kinetic, {}};
+  const auto named = [&](const std::string& name) -> LedgerLine& {  // two networks of bonds share a line
+    const auto same = [&](const LedgerLine& other) { return other.name == name; };
+    const auto of = std::find_if(all.lines.begin(), all.lines.end(), same);
+    return of == all.lines.end() ? all.lines.emplace_back(LedgerLine{.name = name}) : *of;
+  };
   const auto line = [&](const std::string& name, bool has_energy, std::size_t i) {
     const double before = then.potential[i], after = now.potential[i];
-    const auto same = [&](const LedgerLine& other) { return other.name == name; };  // two networks of bonds
-    auto of = std::find_if(all.lines.begin(), all.lines.end(), same);
-    if (of == all.lines.end()) of = all.lines.insert(of, {.name = name});
-    of->work += book_->work[i].total() - (after - before);
-    of->has_energy |= has_energy;
-    of->initial += before, of->final += after;
+    LedgerLine& of = named(name);
+    of.work += book_->work[i].total() - (after - before);
+    of.has_energy |= has_energy;
+    of.initial += before, of.final += after;
   };
   std::size_t i = 0;
   for (; i < local_effects().size(); ++i) {
@@ -260,11 +263,7 @@ Ledger World::ledger() const {
   if (penalty_) line("contacts", true, i);
   if (penalty_ && penalty_->remembers()) all.lines.back().work = book_->work[i].total();
   for (std::size_t b = 0; b < between_steps_.size(); ++b) {
-    const std::string name = between_steps_[b].name();
-    const auto same = [&](const LedgerLine& other) { return other.name == name; };
-    auto of = std::find_if(all.lines.begin(), all.lines.end(), same);
-    if (of == all.lines.end()) of = all.lines.insert(of, {.name = name});
-    of->work += book_->between_steps[b].total();
+    named(between_steps_[b].name()).work += book_->between_steps[b].total();
   }
   if (impulse_) all.lines.push_back({"contacts", book_->contacts.total()});
   if (book_->outside.total() != 0) all.lines.push_back({"from outside", book_->outside.total()});

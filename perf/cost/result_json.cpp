@@ -227,8 +227,7 @@ Json to_json(const Result& result) {
 std::string to_csv(const Result& result) {
   std::string csv =
       "integrator,step,tolerance,precision,contact,iterations,substeps,stiffness,rotation,opening_angle,error,claimed,"
-      "pareto,"
-      "seconds_min,seconds_median,seconds_max,runs,steps,rejected_steps,force_evaluations";
+      "pareto,seconds_min,seconds_median,seconds_max,runs,steps,rejected_steps,force_evaluations";
   for (std::size_t q = 0; q < quantity_count; ++q) {
     const char* quantity = name(static_cast<Quantity>(q));
     csv += fmt::format(",{0}_end,{0}_maximum,{0}_rms", quantity);

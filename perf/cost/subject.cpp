@@ -71,7 +71,7 @@ Setting setting_of(const Scene& scene) {
 }
 
 bool may_use_tree(const Scene& scene) {
-  constexpr std::size_t fewest = 128;  // below, every pair is summed anyway
+  constexpr std::size_t fewest = 256;  // GravityTree::fewest: below, every pair is summed anyway
   const auto attracts_all = [](const Effect& effect) { return effect.kind == "mutual_gravity"; };
   if (std::none_of(scene.effects.begin(), scene.effects.end(), attracts_all)) return false;
   std::size_t bodies = 0;

@@ -79,7 +79,7 @@ constexpr Option cost_options[] = {
      "both)",
      &Arguments::axis_contacts},
     {"--openings", "LIST",
-     "opening angles of mutual_gravity's tree, where 128 bodies or more attract each other; 0: every pair (default: "
+     "opening angles of mutual_gravity's tree, where 256 bodies or more attract each other; 0: every pair (default: "
      "the scene's, 0, 0.3, 0.5, 0.7 and 1)",
      &Arguments::openings},
     {"--error", "E",

@@ -121,7 +121,7 @@ cost::Axes axes_of(const Arguments& arguments, const Scene& scene) {
   }
   if (arguments.openings) {
     if (!cost::may_use_tree(scene)) {
-      throw UsageError("--openings: mutual_gravity acts on fewer than 128 bodies of this scene, which use no tree");
+      throw UsageError("--openings: mutual_gravity acts on fewer than 256 bodies of this scene, which use no tree");
     }
     axes.openings = openings_of(*arguments.openings);
   }

@@ -179,7 +179,7 @@ class Cost(CommandTest):
                 (["--precisions", "doubel"], ["--precisions", "did you mean 'double'"]),
                 (["--precision", "double"], ["--precisions"]),
                 (["--contacts", "12x1"], ["--contacts", "no contacts"]),
-                (["--openings", "0.5"], ["--openings", "fewer than 128 bodies"]),
+                (["--openings", "0.5"], ["--openings", "fewer than 256 bodies"]),
                 (["--error", "positoin"], ["--error", "did you mean 'position'"]),
                 (["--error", "position.mean"], ["--error", "maximum"]),
                 (["--reference", "closed"], ["--reference", "best"]),

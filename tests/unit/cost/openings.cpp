@@ -30,8 +30,8 @@ const Point& point_of(const Result& result, double opening_angle) {
 }  // namespace
 
 TEST_CASE("openings: an angle belongs to scenes in which enough bodies attract each other", "[cost]") {
-  CHECK(setting_of(stars(127, 0.5)).opening_angle == -1);
-  const Scene scene = stars(128, 0.7);
+  CHECK(setting_of(stars(255, 0.5)).opening_angle == -1);
+  const Scene scene = stars(256, 0.7);
   Setting setting = setting_of(scene);
   CHECK(setting.opening_angle == 0.7);
   CHECK(text(setting) == "velocity_verlet, step 0.05 s, opening 0.7");
@@ -49,7 +49,7 @@ TEST_CASE("openings: the reference sums every pair, and a tree's error does not 
   request.axes.steps = {0.025};
   request.axes.precisions = {Precision::double_};
   request.axes.openings = {0.5, 1, 0};
-  const auto result = ballpark::cost::cost(stars(200, 0.5), request, [](const std::string&, double) { return true; });
+  const auto result = ballpark::cost::cost(stars(300, 0.5), request, [](const std::string&, double) { return true; });
   REQUIRE(result);
   REQUIRE(result->points.size() == 3);
   CHECK(result->curves[0].label == "velocity_verlet, opening 0.5");

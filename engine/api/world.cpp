@@ -49,6 +49,8 @@ const char* name(Status::Code code) {
   switch (code) {
     case Status::Code::ok:
       return "ok";
+    case Status::Code::full:
+      return "full";
     case Status::Code::stability:
       return "stability";
     case Status::Code::accuracy:

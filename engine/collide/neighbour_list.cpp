@@ -19,7 +19,8 @@ bool NeighbourList::holds(const VectorColumn& position, const Period& period, co
     for (std::size_t i = block * block_length; i < std::min((block + 1) * block_length, slots); ++i) {
       const Vector3<Real> moved = nearest_image(position.at(i) - built_.at(i), period);
       const Real left = allowance_[i] - ahead[i];
-      within &= left >= 0 && dot(moved, moved) <= left * left;
+      const bool absent = position.x[i] != position.x[i] && built_.x[i] != built_.x[i];  // then as now
+      within &= (left >= 0 && dot(moved, moved) <= left * left) | absent;
     }
     block_holds_[block] = within;
   };

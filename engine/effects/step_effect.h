@@ -2,6 +2,7 @@
 // Bodies are told apart by their copy and their id in it, so that no order of rows reaches a bit.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 
@@ -11,28 +12,37 @@
 namespace ballpark::BALLPARK_PRECISION {
 
 struct BodyName {
-  std::uint64_t copy, id;
+  std::uint64_t copy, id, index;  ///< id in its copy, index in its group there
 };
 
-/// Rows [first, last) of a group.
+/// Rows [first, last) of a group. Of a body that is not there, every value of the state is NaN, so that each comparison
+/// passes it by.
 struct StepBodies {
   std::size_t first, last;
   Real* const* position;
   Real* const* velocity;
   const PerBody& mass;
   FunctionRef<BodyName(std::size_t row)> name_of;
+  FunctionRef<void(std::size_t row)> leave;  ///< for good
+  /// With the state that the scene starts it with, after a free flight of so many seconds.
+  FunctionRef<void(std::size_t row, double flight)> enter;
 };
 
 /// The step that ended.
 struct EndedStep {
-  double length;         ///< [s]
-  std::uint64_t number;  ///< from 1
+  double length;                                                       ///< [s]
+  std::uint64_t number;                                                ///< from 1
+  double end() const { return static_cast<double>(number) * length; }  ///< [s]
 };
 
 class StepEffect {
  public:
   virtual ~StepEffect() = default;
   virtual void act(const StepBodies& bodies, const EndedStep& step) const = 0;
+  /// When the body of a group enters [s]: those that do so after the start are not there before.
+  virtual double entry(std::uint64_t) const { return 0; }
+  /// By this time, how many bodies of a group should have entered; more than there are is an error.
+  virtual double entries(double) const { return 0; }
 };
 
 /// A scene's effect as its own code reads it. Parameters are checked and defaults filled in.
@@ -46,6 +56,12 @@ struct StepEffectInfo {
   EffectDescription description;
   std::unique_ptr<StepEffect> (*make)(const StepInput&) = nullptr;
   int values = 0;  ///< of state that it reads and writes, for one body
+
+  bool opens() const { return exerts("present"); }               ///< do bodies enter or leave by it?
+  bool enters() const { return opens() && exerts("position"); }  ///< do they enter?
+  bool exerts(const char* what) const {
+    return std::find(description.exerts.begin(), description.exerts.end(), what) != description.exerts.end();
+  }
 };
 
 template <class E>

@@ -1,10 +1,15 @@
+#include "engine/effects/absorbing_wall.h"
+#include "engine/effects/emitter.h"
+#include "engine/effects/outlet.h"
 #include "engine/effects/reflecting_wall.h"
 #include "engine/effects/thermostat.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
 const std::vector<StepEffectInfo>& step_effects() {
-  static const std::vector<StepEffectInfo> all = {step_effect_info<ReflectingWall>(), step_effect_info<Thermostat>()};
+  static const std::vector<StepEffectInfo> all = {step_effect_info<Emitter>(), step_effect_info<ReflectingWall>(),
+                                                  step_effect_info<Thermostat>(), step_effect_info<AbsorbingWall>(),
+                                                  step_effect_info<Outlet>()};
   return all;
 }
 

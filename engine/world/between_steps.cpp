@@ -28,6 +28,25 @@ void Builder::add_step_effects() {
     }
     world_.between_steps_.push_back(std::move(made));
   }
+  for (std::size_t g = 0; g < world_.groups_.size(); ++g) open_group(g);
+}
+
+/// Of a group that bodies enter or leave: who is there at the start.
+void Builder::open_group(std::size_t g) {
+  Group& group = world_.groups_[g];
+  std::string why;
+  const StepEffect* source = nullptr;
+  for (const World::BetweenSteps& between : world_.between_steps_) {
+    if (!between.info->opens() || !between.acts_on(g)) continue;
+    if (why.find(between.name()) == std::string::npos) why += (why.empty() ? "" : ", ") + std::string(between.name());
+    if (between.info->enters()) source = between.effect.get();
+  }
+  if (why.empty() || group.live == 0) return;
+  Column& column = world_.columns_.add({"present", "1", 1, Role::kept, why}, group.first_row, padded(group.live));
+  group.presence.begin(group, world_.columns_, column.at(0, group.first_row), source != nullptr);
+  for (std::size_t row = 0; source && row < group.live; ++row) {
+    if (source->entry(group.copies.index_of(row)) > 0) group.presence.wait(row);
+  }
 }
 
 bool World::BetweenSteps::acts_on(std::size_t group) const {
@@ -38,24 +57,52 @@ void World::act_between_steps() {
   for (std::size_t i = 0; i < between_steps_.size(); ++i) {
     const BetweenSteps& between = between_steps_[i];
     const EndedStep step{step_, counters_.steps + 1};
-    const auto act = [&] {
-      pass(whole_, between.name(), [&](const Group& group, const Block& block) {
-        if (!between.acts_on(block.group)) return;
-        const auto name_of = [&](std::size_t row) {
-          return BodyName{group.copies.copy_of(row), group.id_offset + group.copies.index_of(row)};
-        };
-        const StateColumns& state = group.kernel.state;
-        between.effect->act(
-            {block.first, block.last, state.position, state.velocity, group.kernel.constants.mass, name_of}, step);
-      });
-    };
     if (!books()) {
-      act();
+      act_between(between, step);
       continue;
     }
     const double before = read_energy().energy();
-    act();
+    act_between(between, step);
     book_->between_steps[i].add(read_energy().energy() - before);
+  }
+}
+
+void World::act_between(const BetweenSteps& between, const EndedStep& step) {
+  std::vector<Crossings> crossings(between.info->opens() ? whole_.blocks.size() : 0);
+  pass(whole_, between.name(), [&](const Group& group, const Block& block) {
+    if (!between.acts_on(block.group)) return;
+    const StateColumns& state = group.kernel.state;
+    Presence& presence = groups_[block.group].presence;
+    Crossings* crossed =
+        crossings.empty() ? nullptr : &crossings[static_cast<std::size_t>(&block - whole_.blocks.data())];
+    const auto name_of = [&](std::size_t row) {
+      const std::size_t index = group.copies.index_of(row);
+      return BodyName{group.copies.copy_of(row), group.id_offset + index, index};
+    };
+    const auto leave = [&](std::size_t row) { presence.leave(row), ++crossed->left; };
+    const auto enter = [&](std::size_t row, double flight) { presence.enter(row, flight), ++crossed->entered; };
+    between.effect->act(
+        {block.first, block.last, state.position, state.velocity, group.kernel.constants.mass, name_of, leave, enter},
+        step);
+  });
+  for (const Crossings& block : crossings) {
+    counters_.entered += block.entered;
+    counters_.left += block.left;
+  }
+  if (between.info->enters()) report_full(between, step);
+}
+
+/// A source that has run out of bodies.
+void World::report_full(const BetweenSteps& between, const EndedStep& step) {
+  if (status_.code != Status::Code::ok) return;
+  for (const std::size_t g : between.groups) {
+    const std::size_t room = groups_[g].copies.per_copy;
+    if (between.effect->entries(step.end()) <= static_cast<double>(room)) continue;
+    status_ = {
+        Status::Code::full,
+        "the emitter of group " + groups_[g].name + " has no body left: all " + std::to_string(room) + " have entered",
+        groups_[g].id_offset + room - 1, step.number, step.end()};
+    return;
   }
 }
 
@@ -63,8 +110,10 @@ void World::explain_between_steps(std::vector<PassReport>& passes) const {
   for (const BetweenSteps& between : between_steps_) {
     for (const std::size_t g : between.groups) {
       if (groups_[g].live == 0) continue;
-      std::vector<std::string> columns = between.info->description.exerts;
-      passes.push_back({between.name(), groups_[g].name, columns, columns,
+      const std::vector<std::string>& writes = between.info->description.exerts;
+      std::vector<std::string> reads = between.info->description.reads;
+      reads.insert(reads.end(), writes.begin(), writes.end());
+      passes.push_back({between.name(), groups_[g].name, std::move(reads), writes,
                         static_cast<double>(between.info->values) * sizeof(Real),
                         static_cast<double>(between.info->description.flops), 1, "between steps"});
     }

@@ -78,6 +78,13 @@ bool is_finite(const Group& group, std::size_t row) {
   });
 }
 
+bool all_finite(const Group& group, const Block& block) {
+  for (std::size_t row = block.first; row < block.last; ++row) {
+    if (group.presence.has(row) && !is_finite(group, row)) return false;
+  }
+  return true;
+}
+
 void Group::list_instances() {
   instances.clear();
   LocalForces& forces = kernel.forces;
@@ -137,7 +144,11 @@ World::Place World::known_place(std::size_t id, const char* call) const {
 /// What is changed in a look would be lost with it.
 World::Place World::place_to_change(std::size_t id, const char* call) const {
   if (looks_ > 0) refuse(call, "called from within a look, whose changes are lost; expected a call between steps");
-  return known_place(id, call);
+  const Place place = known_place(id, call);
+  if (!groups_[place.group].presence.has(place.row)) {
+    refuse(call, "body " + std::to_string(id) + " is not there: it has not entered yet, or is gone");
+  }
+  return place;
 }
 
 std::size_t World::row_of(std::size_t id) const {
@@ -167,7 +178,8 @@ BodyState World::body(std::size_t id) const {
   const auto [g, row] = known_place(id, "body");
   const Group& group = groups_[g];
   const Body<Real> b = body_at(group, row);
-  BodyState state{to_double(b.position), to_double(b.velocity), {}, to_double(b.spin), group.turns(), group.spins()};
+  BodyState state{to_double(b.position), to_double(b.velocity),  {}, to_double(b.spin), group.turns(),
+                  group.spins(),         group.presence.has(row)};
   if (group.turns()) {
     const auto& q = group.kernel.state.orientation;
     state.orientation = {static_cast<double>(q[0][row]), static_cast<double>(q[1][row]), static_cast<double>(q[2][row]),

@@ -50,7 +50,9 @@ class Builder {
   void check_iteration() const;
   void add_parts();
   void add_events();
-  void add_step_effects();  // between_steps.cpp
+  // between_steps.cpp
+  void add_step_effects();
+  void open_group(std::size_t g);
   // build_pairs.cpp
   void weave();
   void add_pair_systems();

@@ -135,6 +135,7 @@ std::vector<Problem> check(const Scene& scene) {
   check_integrator(scene, problems);
   check_bodies(scene, problems);
   check_effects(scene, problems);
+  check_presence(scene, problems);
   check_contacts(scene, problems);
   check_impulses(scene, problems);
   return problems.all();

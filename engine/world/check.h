@@ -59,6 +59,7 @@ std::string needs_blind_forces(const IntegratorDescription& row, const std::stri
 std::string without_derivatives(const Scene& scene, int stages);
 void check_bodies(const Scene& scene, Problems& problems);
 void check_effects(const Scene& scene, Problems& problems);
+void check_presence(const Scene& scene, Problems& problems);
 void check_contacts(const Scene& scene, Problems& problems);
 /// Do bodies with a shape touch in this scene?
 bool touches(const Scene& scene);

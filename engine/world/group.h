@@ -12,6 +12,7 @@
 #include "engine/effects/local_effects.h"
 #include "engine/world/kernel_table.h"
 #include "engine/world/pair_system.h"
+#include "engine/world/presence.h"
 
 namespace ballpark::BALLPARK_PRECISION {
 
@@ -60,6 +61,7 @@ struct Group {
   std::vector<Real*> rate_columns;  ///< where they are in memory: sets as at the start, see World::arrange_rates
   std::vector<Real*> carry;         ///< compensated summation: what kernel.carry points to
   std::vector<Real*> carry_before;  ///< adaptive: as it was when the step began
+  Presence presence;
 
   /// What adds to the mass of a row's body [kg].
   double added_mass(std::size_t row) const;

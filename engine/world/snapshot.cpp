@@ -22,9 +22,16 @@ std::uint64_t hash_rows(const Real* values, std::size_t count, std::uint64_t see
   }
 }
 
-/// One copy's rows of a column that begins with the group's.
+/// One copy's rows of a column that begins with the group's. Absent bodies count as such: NaN has many bit patterns.
 std::uint64_t hash_copy(const Group& group, const Real* column, std::size_t copy, std::uint64_t seed) {
   const std::size_t bodies = group.copies.per_copy;
+  if (group.presence) {
+    for (std::size_t i = 0; i < bodies; ++i) {
+      const std::size_t row = group.copies.row_of(copy, i);
+      seed = group.presence.has(row) ? hash_rows(column + row, 1, seed) : combine(seed, 1);
+    }
+    return seed;
+  }
   if (copy >= group.copies.woven) return hash_rows(column + copy * bodies, bodies, seed);
   Real values[most_woven] = {};
   for (std::size_t i = 0; i < bodies; ++i) values[i] = column[group.copies.row_of(copy, i)];
@@ -132,6 +139,7 @@ void World::return_to(const Snapshot& snapshot) {
   });
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     groups_[g].motion = snapshot.motions[g] ? groups_[g].turning : MotionKind::point;
+    groups_[g].presence.recount();
   }
   set_pace(snapshot.pace);
   counters_ = snapshot.counters;

@@ -338,11 +338,12 @@ void World::judge_contacts(const Stiffness& of_contacts) {
   const bool grows = limit.largest == 0 && std::exp(std::log(limit.growth) * steps) > 1.1;
   if (!exceeded && !grows) return;
   const std::string contacts = std::string(row_->name) + " on contacts (contact.stiffness)";
-  const std::string sentence = exceeded ? "a step of " + text(step_) + " s exceeds " + text(limit.largest) +
-                                              " s, the stability limit of " + contacts
-                                        : "no step is stable for " + contacts + ": one of " + text(step_) +
-                                              " s gains more than a tenth of its speed in each impact";
-  status_ = {Status::Code::stability, sentence, 0, counters_.steps, time()};
+  std::string sentence = exceeded ? "a step of " + text(step_) + " s exceeds " + text(limit.largest) +
+                                        " s, the stability limit of " + contacts
+                                  : "no step is stable for " + contacts + ": one of " + text(step_) +
+                                        " s gains more than a tenth of its speed in each impact";
+  if (status_.code != Status::Code::ok) sentence += "; " + status_.sentence;
+  status_ = {Status::Code::stability, std::move(sentence), 0, counters_.steps, time()};
 }
 
 }  // namespace ballpark::BALLPARK_PRECISION

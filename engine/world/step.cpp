@@ -193,7 +193,7 @@ Moved World::fused_pass(const Method& method, int steps) {
 void World::watch_contact_stiffness() {
   const PenaltyCounters& now = penalty_->penalty.counters();
   const double spring = static_cast<double>(now.spring), damping = static_cast<double>(now.damping);
-  if (status_.code != Status::Code::ok) return;
+  if (status_.code >= Status::Code::stability) return;
   if (spring <= 1.001 * watched_stiffness_.spring && damping <= 1.001 * watched_stiffness_.damping) return;
   watched_stiffness_ = {std::max(spring, watched_stiffness_.spring), std::max(damping, watched_stiffness_.damping)};
   judge_contacts(watched_stiffness_);
@@ -205,7 +205,7 @@ void World::report_non_finite(const Moved& moved) {
   std::optional<std::size_t> first;
   for (const Group& group : groups_) {
     for (std::size_t row = 0; row < group.live; ++row) {
-      if (is_finite(group, row)) continue;
+      if (!group.presence.has(row) || is_finite(group, row)) continue;
       const std::size_t id = id_of(group, row);
       if (!first || id < *first) first = id;
     }

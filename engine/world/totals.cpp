@@ -28,7 +28,7 @@ Real potential(const Group& group, const Body<Real>& body) {
 template <class M>
 void add_body(const Group& group, std::size_t row, Totals& sum) {
   if (!is_finite(group, row)) {
-    ++sum.non_finite_bodies;
+    ++(group.presence.has(row) ? sum.non_finite_bodies : sum.absent_bodies);
     return;
   }
   const auto c = M::template constants<Real>(group.kernel.constants, row);
@@ -65,6 +65,7 @@ void add(const Totals& part, Totals& sum) {
   sum.angular_momentum += part.angular_momentum;
   sum.angular_momentum_scale += part.angular_momentum_scale;
   sum.non_finite_bodies += part.non_finite_bodies;
+  sum.absent_bodies += part.absent_bodies;
 }
 
 }  // namespace

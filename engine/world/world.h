@@ -90,6 +90,11 @@ class World : public WorldInterface {
     bool acts_on(std::size_t group) const;
   };
   void act_between_steps();
+  struct Crossings {
+    std::uint64_t entered = 0, left = 0;
+  };
+  void act_between(const BetweenSteps& between, const EndedStep& step);
+  void report_full(const BetweenSteps& between, const EndedStep& step);
   void explain_between_steps(std::vector<PassReport>& passes) const;
 
   // implicit_step.cpp
@@ -232,6 +237,9 @@ void World::booked_jump(ExactSum LedgerBook::*cause, Act act) {
   book_->add_jump(before, read_energy(), cause);
 }
 
+/// Are those of the block's bodies finite that are there?
+bool all_finite(const Group& group, const Block& block);
+
 /// Runs the action, timed if asked for.
 template <class Action>
 void World::timed(const char* name, Action action) {
@@ -275,7 +283,9 @@ inline Moved all_of(const std::vector<Moved>& parts) {
 template <class Move>
 Moved World::moving_pass(Part& part, const char* name, Move move) {
   pass(part, name, [&](const Group& group, const Block& block) {
-    part.moved[static_cast<std::size_t>(&block - part.blocks.data())] = move(group, block);
+    Moved& moved = part.moved[static_cast<std::size_t>(&block - part.blocks.data())];
+    moved = group.presence.empty(block.first, block.last) ? Moved() : move(group, block);
+    if (group.presence && !moved.finite) moved.finite = all_finite(group, block);
   });
   return all_of(part.moved);
 }

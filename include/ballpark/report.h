@@ -12,7 +12,7 @@ namespace ballpark {
 /// How a run stands: the gravest thing that went wrong, when it first did. The sentence names the lesser ones before
 /// it.
 struct Status {
-  enum class Code { ok, stability, accuracy, unconverged, non_finite };
+  enum class Code { ok, full, stability, accuracy, unconverged, non_finite };
   Code code = Code::ok;
   std::string sentence = "ok";
   std::size_t body = 0;  ///< id of the first offender, where there is one
@@ -44,6 +44,7 @@ struct Counters {
   /// together); and the largest last change of a state by them, relative to the state
   std::uint64_t newton_iterations = 0;
   double newton_residual = 0;
+  std::uint64_t entered = 0, left = 0;  ///< bodies: through emitters after the start; through outlets and walls
 };
 
 /// Sums over all bodies, in double whatever the world's precision.
@@ -55,6 +56,7 @@ struct Totals {
   Vector3d angular_momentum = Vector3d::Zero();  ///< about the origin [kg m^2/s]
   double angular_momentum_scale = 0;             ///< sum of |l| over bodies
   std::size_t non_finite_bodies = 0;             ///< left out of the sums
+  std::size_t absent_bodies = 0;                 ///< likewise: not entered yet, or gone
   std::size_t bodies_outside = 0;                ///< centres beyond a boundary that should keep them
   double energy() const { return kinetic + potential; }
 };

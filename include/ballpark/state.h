@@ -19,6 +19,7 @@ struct BodyState {
   Vector3d angular_velocity = Vector3d::Zero();  ///< world frame [rad/s]
   bool has_orientation = false;
   bool has_angular_velocity = false;
+  bool present = true;  ///< false: it has not entered yet or is gone, and every value is NaN
 };
 
 /// What contacts do to one body.

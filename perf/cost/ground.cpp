@@ -32,13 +32,19 @@ std::string sentence(const Measure& measure, bool all) {
   return "largest " + what + " along the path, of " + whom;
 }
 
-/// A noise that is another one at each step leaves paths without a limit.
-void refuse_noise(const Scene& scene) {
+/// A noise that is another one at each step leaves paths without a limit, and who is not there has none.
+void refuse_pathless(const Scene& scene) {
   for (std::size_t i = 0; i < scene.effects.size(); ++i) {
-    if (scene.effects[i].kind != "thermostat") continue;
-    throw SceneError(fmt::format("effects[{}].kind", i),
-                     "a thermostat's noise is another one for each step: paths have no limit to hold errors against; "
-                     "expected a scene without it");
+    const std::string& kind = scene.effects[i].kind;
+    const auto refuse = [&](const std::string& why) {
+      throw SceneError(fmt::format("effects[{}].kind", i), why + "; expected a scene without it");
+    };
+    if (kind == "thermostat") {
+      refuse("a thermostat's noise is another one for each step: paths have no limit to hold errors against");
+    }
+    if (kind == "emitter" || kind == "outlet" || kind == "absorbing_wall") {
+      refuse(kind + ": bodies enter or leave when a step ends, so that their paths have gaps to compare");
+    }
   }
 }
 
@@ -141,7 +147,7 @@ bool refer_to_runs(Ground& ground, const GroundRequest& request, const GoOn& go_
 }  // namespace
 
 std::optional<Ground> ground_for(const Scene& scene, const GroundRequest& request, const GoOn& go_on) {
-  refuse_noise(scene);
+  refuse_pathless(scene);
   Ground ground;
   ground.scene = scene;
   ground.whole = scene.run.duration;

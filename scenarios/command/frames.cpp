@@ -1,6 +1,7 @@
 #include "scenarios/command/frames.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenarios/command/scene_options.h"
 #include "scenarios/files/output_formats.h"
@@ -94,6 +95,19 @@ void append_angular_velocities(const World& world, std::vector<double>& to) {
 }
 
 }  // namespace
+
+std::vector<std::int32_t> present(const FrameLayout& layout, const Frames& frames, std::size_t frame) {
+  std::vector<std::int32_t> ids;
+  const auto position = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                     [](const FrameColumn& column) { return column.name == "position"; });
+  const bool known = position != layout.columns.end();
+  const auto places = known ? frames.values(static_cast<std::size_t>(position - layout.columns.begin()), frame)
+                            : std::span<const double>();
+  for (std::size_t id = 0; id < layout.bodies; ++id) {
+    if (!known || !std::isnan(places[3 * id])) ids.push_back(static_cast<std::int32_t>(id));
+  }
+  return ids;
+}
 
 const std::vector<FrameColumn>& known_columns() {
   static const std::vector<FrameColumn> columns = {

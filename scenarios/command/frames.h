@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ struct Frames {
   void clear();  ///< the memory is kept
   std::span<const double> values(std::size_t column, std::size_t frame) const;
 };
+
+/// Ids of the bodies that are there in a frame: those whose position is no NaN. All, if it holds no positions.
+std::vector<std::int32_t> present(const FrameLayout& layout, const Frames& frames, std::size_t frame);
 
 /// Copies frames of one world.
 class FrameReader {

@@ -140,10 +140,18 @@ std::string steps_text(const RunReport& report) {
                      report.integrator, grouped(report.counters.rejected_steps));
 }
 
+std::string bodies_text(const RunReport& report) {
+  const std::size_t absent = report.final.absent_bodies;
+  const std::uint64_t entered = report.counters.entered, left = report.counters.left;
+  if (absent == 0 && entered == 0 && left == 0) return grouped(report.bodies);
+  return fmt::format("{}, {} of them there at the end: {} entered, {} left", grouped(report.bodies),
+                     grouped(report.bodies - absent), grouped(entered), grouped(left));
+}
+
 void add_facts(Page& text, const RunReport& report, const Scene& scene, const RunFiles& files) {
   const std::string threads = counted(static_cast<std::uint64_t>(report.threads), "thread", "threads");
   std::vector<std::pair<std::string, Cell>> facts{
-      {"bodies", grouped(report.bodies)},
+      {"bodies", bodies_text(report)},
       {"simulated time", number(report.time) + " s"},
       {"steps", steps_text(report)},
       {"force evaluations", grouped(report.counters.force_evaluations)},

@@ -59,10 +59,6 @@ void VtpFrames::begin(const FrameLayout& layout) {
     throw WriteError(fmt::format("'{}' cannot hold {} bodies, at most 2^31 - 1", index_path_, layout.bodies));
   }
   layout_ = layout;
-  ids_.resize(layout.bodies);
-  std::iota(ids_.begin(), ids_.end(), 0);
-  ends_.resize(layout.bodies);
-  std::iota(ends_.begin(), ends_.end(), 1);
   write_index();  // what an earlier run left would name this run's frames
 }
 
@@ -78,7 +74,7 @@ std::string VtpFrames::data_array(const std::string& attributes, std::size_t com
                                   std::size_t& offset) const {
   const std::string text = fmt::format("<DataArray {} NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
                                        attributes, components, offset);
-  offset += sizeof(Size) + layout_.bodies * components * size;
+  offset += sizeof(Size) + ids_.size() * components * size;
   return text;
 }
 
@@ -105,16 +101,29 @@ std::string VtpFrames::header(double time) const {
              "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
              "NumberOfPolys=\"0\">\n<PointData>\n{}</PointData>\n<Points>\n{}</Points>\n<Verts>\n{}{}</Verts>\n"
              "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_",
-             time, layout_.bodies, layout_.bodies, data, points, points_of_vertices, ends);
+             time, ids_.size(), ids_.size(), data, points, points_of_vertices, ends);
 }
 
-void VtpFrames::write_numbers(OutputFile& file, std::span<const double> values) const {
+/// `values` of all bodies: those of who is there.
+void VtpFrames::write_numbers(OutputFile& file, std::span<const double> values) {
+  const std::size_t n = values.size() / std::max<std::size_t>(layout_.bodies, 1);
+  if (ids_.size() < layout_.bodies) {
+    here_.clear();
+    for (const std::int32_t id : ids_) {
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(n) * id;
+      here_.insert(here_.end(), first, first + static_cast<std::ptrdiff_t>(n));
+    }
+    values = here_;
+  }
   write_size(file, values.size() * (single_ ? sizeof(float) : sizeof(double)));
   command::write_numbers(values, single_, [&](std::string_view bytes) { file.write(bytes); });
 }
 
 void VtpFrames::write_frame(const Frames& frames, std::size_t frame) {
   const double time = frames.times[frame];
+  ids_ = present(layout_, frames, frame);
+  ends_.resize(ids_.size());
+  std::iota(ends_.begin(), ends_.end(), 1);
   const std::string path = fmt::format("{}_{:04}.vtp", stem_, frames_);
   OutputFile file(path, true);
   file.write(header(time));

@@ -20,7 +20,7 @@ class VtpFrames : public FrameFile {
   std::uint64_t bytes() const override { return bytes_ + index_bytes_; }
 
  private:
-  void write_numbers(OutputFile& file, std::span<const double> values) const;
+  void write_numbers(OutputFile& file, std::span<const double> values);
   void write_frame(const Frames& frames, std::size_t frame);
   std::string header(double time) const;
   std::string data_array(const std::string& attributes, std::size_t components, std::size_t size,
@@ -35,7 +35,8 @@ class VtpFrames : public FrameFile {
   std::size_t frames_ = 0, frames_in_index_ = 0;
   double index_written_ = 0;  ///< [s], of a steady clock
   std::uint64_t bytes_ = 0, index_bytes_ = 0;
-  std::vector<std::int32_t> ids_, ends_;  ///< of points and vertices
+  std::vector<std::int32_t> ids_, ends_;  ///< of a frame's points, bodies that are there, and vertices
+  std::vector<double> here_;              ///< scratch: their values
 };
 
 }  // namespace ballpark::command

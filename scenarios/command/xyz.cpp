@@ -64,8 +64,10 @@ void XyzFrames::add_frame(const Frames& frames, std::size_t frame) {
     text.push_back(' ');
     append_shortest(text, value, single_);
   };
-  fmt::format_to(fmt::appender(text), "{}\n{} {} Time={}\n", layout_.bodies, cell_, properties_, frames.times[frame]);
-  for (std::size_t id = 0; id < layout_.bodies; ++id) {
+  const std::vector<std::int32_t> here = present(layout_, frames, frame);
+  fmt::format_to(fmt::appender(text), "{}\n{} {} Time={}\n", here.size(), cell_, properties_, frames.times[frame]);
+  for (const std::int32_t body : here) {
+    const auto id = static_cast<std::size_t>(body);
     fmt::format_to(fmt::appender(text), "X {}", id);
     for (std::size_t c = 0; c < layout_.columns.size(); ++c) {
       const std::size_t n = layout_.columns[c].components();

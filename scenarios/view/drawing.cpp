@@ -75,6 +75,7 @@ Drawing drawing_of(const Recording& recording, std::size_t frame, ColourBy colou
     for (std::size_t row = 0; row < group.count; ++row) {
       const std::size_t body = group.first + row, place = frame * recording.shown + body;
       const float* p = &recording.position[3 * place];
+      if (std::isnan(p[0])) continue;  // nobody there
       Ball ball{recording.origin + Vector3d(p[0], p[1], p[2]), group.radius_of(row), palette[0], group.turns,
                 orientation_of(recording, frame, body)};
       if (ball.radius == 0) ball.radius = point;

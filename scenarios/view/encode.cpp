@@ -60,6 +60,9 @@ unsigned part_of(double value, double low, double high, double parts) {
                     : 0;
 }
 
+/// Of positions. Three of them: nobody is there, see place() in page/shaders.js.
+constexpr unsigned last_place = 65535;
+
 template <class Number>
 void add_amount(Columns& columns, const std::string& name, const std::string& unit, const std::vector<Number>& values) {
   if (values.empty()) return;
@@ -122,9 +125,14 @@ std::optional<Encoded> encode_one(const Recording& recording, std::size_t limit)
 Encoded encode(const Recording& recording) {
   const Box box = box_of(recording);
   Columns columns(recording);
-  columns.add({"position", 3, 16, 2, {}, ""}, [&](std::size_t i) {
+  const auto part = [&](std::size_t i) {
     const auto c = static_cast<Eigen::Index>(i % 3);
-    return part_of(recording.position[i], box.low[c], box.high[c], 65535);
+    return part_of(recording.position[i], box.low[c], box.high[c], last_place);
+  };
+  columns.add({"position", 3, 16, 2, {}, ""}, [&](std::size_t i) -> unsigned {
+    if (std::isnan(recording.position[i])) return last_place;
+    const bool corner = i % 3 == 2 && part(i) == last_place && part(i - 1) == last_place && part(i - 2) == last_place;
+    return corner ? last_place - 1 : part(i);
   });
   if (!recording.orientation.empty()) {
     columns.add({"orientation", 3, 16, 2, {}, ""}, [&](std::size_t i) { return unsigned{recording.orientation[i]}; });

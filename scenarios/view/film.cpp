@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ballpark::view {
 namespace {
@@ -59,7 +60,9 @@ void Film::add(const BodyState& body, std::uint8_t contacts) {
   const bool finite = place.cast<float>().allFinite() && std::isfinite(static_cast<float>(speed)) &&
                       std::isfinite(q.w + q.x + q.y + q.z) && body.angular_velocity.allFinite();
   if (columns_.contacts) recording_.contacts.push_back(contacts);
-  if (finite) {
+  if (!body.present) {
+    leave_out();
+  } else if (finite) {
     for (int c = 0; c < 3; ++c) recording_.position.push_back(static_cast<float>(place[c]));
     const double sign = q.w < 0 ? -1 : 1;
     for (const double component : {q.x, q.y, q.z}) {
@@ -71,6 +74,14 @@ void Film::add(const BodyState& body, std::uint8_t contacts) {
     hold();
   }
   ++at_;
+}
+
+/// Nobody there: a place that is not drawn.
+void Film::leave_out() {
+  for (int c = 0; c < 3; ++c) recording_.position.push_back(std::numeric_limits<float>::quiet_NaN());
+  for (int c = 0; c < 3 && columns_.orientation; ++c) recording_.orientation.push_back(quantised(0));
+  if (columns_.speed) recording_.speed.push_back(0);
+  if (columns_.energy) recording_.energy.push_back(0);
 }
 
 void Film::hold() {

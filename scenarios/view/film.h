@@ -35,6 +35,7 @@ class Film {
   Recording take();  ///< with a note of bodies that are no longer finite
 
  private:
+  void leave_out();
   void hold();
 
   Columns columns_;

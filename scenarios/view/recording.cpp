@@ -25,10 +25,13 @@ std::vector<T> rows_of(const std::vector<T>& column, std::size_t components, std
 
 Box box_of(const Recording& recording) {
   Box box;
+  bool found = false;
   for (std::size_t i = 0; i + 2 < recording.position.size(); i += 3) {
     const Vector3d p(recording.position[i], recording.position[i + 1], recording.position[i + 2]);
-    box.low = i == 0 ? p : box.low.cwiseMin(p).eval();
-    box.high = i == 0 ? p : box.high.cwiseMax(p).eval();
+    if (!p.allFinite()) continue;
+    box.low = found ? box.low.cwiseMin(p).eval() : p;
+    box.high = found ? box.high.cwiseMax(p).eval() : p;
+    found = true;
   }
   return box;
 }

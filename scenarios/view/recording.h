@@ -38,7 +38,7 @@ struct Recording {
   std::vector<ShownGroup> groups;
   std::vector<Boundary> boundaries;
   Vector3d origin = Vector3d::Zero();      ///< what positions are relative to, so that single precision does
-  std::vector<float> position;             ///< x, y, z [m]
+  std::vector<float> position;             ///< x, y, z [m]; NaN: the body is not there
   std::vector<std::uint16_t> orientation;  ///< x, y, z of the quaternion with w >= 0; 0: -1, 65535: 1
   std::vector<float> speed;                ///< [m/s]
   std::vector<double> energy;              ///< kinetic [J]

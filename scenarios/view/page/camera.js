@@ -1,7 +1,7 @@
 // From where a motion is looked at first, and how near.
 
 import * as THREE from "three";
-import { radii, span } from "./data.js";
+import { present, radii, span } from "./data.js";
 
 export const fieldOfView = 32; // degrees
 const mostSamples = 20000;
@@ -27,6 +27,7 @@ export function samples(run, pointRadius) {
   const stride = Math.max(1, Math.ceil(all / mostSamples));
   const found = [];
   for (let i = 0; i < all; i += stride) {
+    if (!present(values, i)) continue;
     for (let axis = 0; axis < 3; ++axis) found.push(from[axis] + (size[axis] * values[3 * i + axis]) / 65535);
     found.push(radius[i % run.bodies] || pointRadius);
   }

@@ -6,6 +6,10 @@
 // the start. Positions stand between the corners of `box`; orientations are x, y, z of quaternions with w >= 0, from -1
 // to 1; speed and energy stand between `min` and `max`; contacts are counts.
 
+/// Is somebody at this place? (Bodies enter and leave: of those who are not there, all three values are the last.)
+export const present = (values, place) =>
+  values[3 * place] < 65535 || values[3 * place + 1] < 65535 || values[3 * place + 2] < 65535;
+
 const bytesPer = (column) => column.components * (column.bits / 8);
 
 function bytesOfBase64(text) {

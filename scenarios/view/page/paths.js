@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import { css, groupColour, runColour } from "./colours.js";
-import { periods, span } from "./data.js";
+import { periods, present, span } from "./data.js";
 
 export const mostWithPaths = 64;
 
@@ -41,6 +41,7 @@ function pieces(run) {
   const index = [];
   for (let from = 0; from < (run.frames - 1) * run.bodies; ++from) {
     const to = from + run.bodies;
+    if (!present(values, from) || !present(values, to)) continue;
     if (half.every((limit, axis) => Math.abs(values[3 * to + axis] - values[3 * from + axis]) < limit)) {
       index.push(from, to);
     }

@@ -11,7 +11,14 @@ in vec3 place0, place1;
 in vec3 turn0, turn1;
 #endif
 
+/// Nobody is where all three values are the last.
+bool nobody(vec3 stored) {
+  return all(greaterThanEqual(stored, vec3(1.0)));
+}
+
 vec3 place() {
+  if (nobody(place0)) return boxFrom + boxSize * place1;
+  if (nobody(place1)) return boxFrom + boxSize * place0;
   vec3 way = place1 - place0;
   way -= period * floor(way / max(period, 1e-6) + 0.5);
   return boxFrom + boxSize * (place0 + mixing * way);
@@ -82,7 +89,8 @@ void main() {
   gl_PointSize = 2.0 * pixels / (1.0 - size / depth) * (1.0 + dot(centre.xy, centre.xy) / (2.0 * depth * depth));
   gl_Position = vec4(zoom * centre.xy / depth, far, 1.0);
 #endif
-  if (depth < 1.001 * size) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // the eye is inside it, or before it
+  // the eye is inside it, or before it; or nobody is there
+  if (depth < 1.001 * size || nobody(mixing < 0.5 ? place0 : place1)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }
 `;
 

@@ -34,6 +34,8 @@ const std::map<std::string, Abilities> abilities = {
     {"gusts", {false, true, false, false}},          {"lennard_jones", {true, false, false, true}},
     {"thermostat", {false, false, false, false}},    {"reflecting_wall", {false, false, false, false}},
     {"soft_repulsion", {true, false, false, true}},  {"table", {false, false, false, true}},
+    {"emitter", {false, false, false, false}},       {"absorbing_wall", {false, false, false, false}},
+    {"outlet", {false, false, false, false}},
 };
 
 }  // namespace

@@ -176,6 +176,9 @@ TEST_CASE("Runs: the JSON has every key, and numbers that can be read back", "[f
                           "energy",
                           "momentum",
                           "angular_momentum",
+                          "present_bodies",
+                          "entered_bodies",
+                          "left_bodies",
                           "non_finite_bodies",
                           "bodies_outside",
                           "newton_iterations",
@@ -185,7 +188,7 @@ TEST_CASE("Runs: the JSON has every key, and numbers that can be read back", "[f
                           "expectations"}) {
     CHECK(json.contains(key));
   }
-  CHECK(json.size() == 37);
+  CHECK(json.size() == 40);
   CHECK(json["ledger"].is_null());
   CHECK(json.at("status").at("code") == "ok");
   CHECK(json.at("status").at("body").is_null());

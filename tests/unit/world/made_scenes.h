@@ -90,7 +90,10 @@ inline Effect sample(const ballpark::EffectDescription& description) {
   Effect made = effect(description.name);
   for (const ballpark::ParameterInfo& parameter : description.parameters) {
     if (parameter.fallback) continue;
-    made.parameters[parameter.name] = parameter.name == "cutoff" ? Value(3.0) : any_value(parameter.kind);
+    made.parameters[parameter.name] = parameter.name == "cutoff"  ? Value(3.0)
+                                      : parameter.name == "size"  ? Value(Vector3d(0.01, 0.02, 0.03))
+                                      : parameter.name == "every" ? Value(1.0)
+                                                                  : any_value(parameter.kind);
   }
   return made;
 }

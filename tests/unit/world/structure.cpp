@@ -179,6 +179,18 @@ TEST_CASE("Structure: each effect brings what its nature asks for, and nothing e
     CHECK(contains(bare.off, between));
     CHECK_FALSE(contains(all.off, between));
   }
+  for (const std::string gate : {"emitter", "absorbing_wall", "outlet"}) {
+    const Explanation all = explained(scene_of({balls("g", 2)}, {sample_of(gate)}));
+    CAPTURE(gate);
+    covered.push_back(gate);
+    CHECK(without(columns_of(all, "g"), columns_of(bare, "g")) == Words{"present 1"});
+    REQUIRE(all.passes.size() == 2);
+    CHECK(all.passes[0].bytes_per_body == bare.passes[0].bytes_per_body);
+    CHECK(all.passes[1].name == gate);
+    CHECK(all.passes[1].bytes_per_body == (gate == "emitter" ? 0 : 24));
+    CHECK(contains(bare.off, gate));
+    CHECK_FALSE(contains(all.off, gate));
+  }
   for (const ballpark::EffectDescription& description : ballpark::effects()) {
     CAPTURE(description.name);
     CHECK(contains(covered, description.name));

@@ -48,6 +48,26 @@ struct Expectation {
   std::optional<double> minimum, maximum, value, tolerance;
 };
 
+/// [[stress.owed]] and [[stress.shown]]: one way to run a hard case.
+struct StressCell {
+  std::string name;              ///< "": said by its integrator, contact and precision
+  std::vector<std::string> set;  ///< KEY=VALUE, as `--set` takes them
+  std::string refused;           ///< part of what the engine must say as it refuses the scene or reports the run
+  std::string reported;          ///< part of what the run's status must say, while all expectations are met
+};
+
+/// [stress]: what makes a scene a hard case of `ballpark stress`.
+struct StressRequest {
+  std::string length = "quick";               ///< its class, "quick" or "long"
+  std::string what;                           ///< one sentence: what is measured
+  std::string waits_for;                      ///< a formulation that does not exist yet; "": it can be run
+  std::vector<std::string> compare;           ///< what the run is compared with, of "threads", "targets", "resume", ...
+  Vector3d shift = Vector3d::Zero();          ///< of "shift" [m]
+  double from = 0;                            ///< of "start": the time to compare with [s]
+  std::vector<double> frames = {1e-2, 1e-5};  ///< of "frame_pattern": lengths in turn [s]
+  std::vector<StressCell> owed, shown;
+};
+
 /// Where a value stands. `file` is "--set" for an override; line 0: no such place.
 struct Location {
   std::string file;
@@ -61,6 +81,7 @@ struct SceneFile {
   std::vector<OutputRequest> outputs;
   std::vector<EventRequest> events;
   std::vector<Expectation> expectations;
+  std::optional<StressRequest> stress;
   std::map<std::string, Location> locations;  ///< by problem path: "bodies[0].mass"
 };
 
@@ -155,6 +176,7 @@ using FrameWriter = std::function<void(const World&)>;
 struct RunHooks {
   std::function<bool(double fraction)> progress;  ///< now and then; false interrupts
   std::vector<FrameWriter> writers;               ///< one for each of the file's outputs, in order
+  FrameWriter last;                               ///< at the end of the run, wherever that is
   bool ledger = false;                            ///< keep the energy ledger
 };
 

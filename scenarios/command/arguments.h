@@ -10,6 +10,7 @@ namespace ballpark::command {
 struct Arguments {
   std::string command;
   std::string name;                    ///< SCENE, NAME, or what to list
+  std::vector<std::string> names;      ///< of `stress`, which takes several
   std::vector<std::string> overrides;  ///< key=value
   std::optional<std::string> threads, precision, target, copies, perturb, path;
   std::optional<std::string> state, figure, every, out, columns, out_precision;
@@ -21,6 +22,7 @@ struct Arguments {
   std::optional<std::string> frames, max_size, with, scene, compare, still, size, colour, from;  ///< of `view`
   bool write = false;
   bool ledger = false;              ///< of `run`
+  bool long_cases = false;          ///< of `stress`
   std::optional<std::string> json;  ///< a file; "": standard output
   bool quiet = false;
 };

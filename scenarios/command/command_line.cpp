@@ -107,6 +107,9 @@ constexpr Option prices_options[] = {
     {"--bodies", "N", "of the large scenes (default: 1000000)", &Arguments::bodies},
     {"--seconds", "S", "time for all measuring, about (default: 60)", &Arguments::seconds},
 };
+constexpr Option stress_options[] = {
+    {"--threads", "N", "worker threads (default: all cores); no bit depends on it", &Arguments::threads},
+};
 constexpr Option cost_choices[] = {
     {"--tolerance", "E", "name the cheapest setting whose error is at most E", &Arguments::tolerance},
     {"--budget", "T", "name the most accurate setting of at most T (2ms) a simulated second", &Arguments::budget},
@@ -126,7 +129,7 @@ struct Command {
 
 /// Commands whose word may be left out.
 bool takes_no_word(const std::string& command) {
-  return command == "list" || command == "prices";
+  return command == "list" || command == "prices" || command == "stress";
 }
 
 constexpr const char* scene_doc = "a scene file, or a scenario's name";
@@ -134,7 +137,7 @@ constexpr const char* scene_doc = "a scene file, or a scenario's name";
 const Command commands[] = {
     {"list",
      "WHAT",
-     "scenarios, integrators, effects, shapes, contacts or targets (default: all)",
+     "scenarios, integrators, effects, shapes, contacts, targets or stress (default: all)",
      "Show what there is.",
      help::list,
      false,
@@ -164,6 +167,8 @@ const Command commands[] = {
      ablate_options, "Measuring"},
     {"prices", "SCENE", "a scene file, or a scenario's name (default: none, only effects by themselves)",
      "Measure the time that each effect adds to a step.", help::prices, true, prices_options, "Measuring"},
+    {"stress", "NAME", "hard cases, see `list stress`, or scene files with [stress] (default: all quick ones)",
+     "Run the hard cases, and say which of their limits hold.", help::stress, false, stress_options, "Running"},
 };
 
 /// CLI11's help, with descriptions wrapped to the page and usage lines that name the word.
@@ -221,7 +226,9 @@ void add_common(CLI::App& app, Arguments& arguments) {
 void add_command(CLI::App& program, const Command& command, Arguments& arguments) {
   CLI::App& app = *program.add_subcommand(command.name, command.doc)->group("Commands");
   app.allow_extras();
-  app.add_option(command.word, arguments.name, command.word_doc);
+  const bool several = command.name == std::string("stress");
+  several ? app.add_option(command.word, arguments.names, command.word_doc)
+          : app.add_option(command.word, arguments.name, command.word_doc);
   if (command.takes_scene) {
     app.add_option("--set", arguments.overrides, "override a key of the scene; may be repeated")
         ->allow_extra_args(false)
@@ -233,6 +240,9 @@ void add_command(CLI::App& program, const Command& command, Arguments& arguments
   for (const Option& option : command.more_options) add_option(app, option, arguments, command.more_group);
   if (command.name == std::string("cost")) {
     app.add_flag("--write", arguments.write, "write the named setting into the scene file")->group(command.more_group);
+  }
+  if (several) {
+    app.add_flag("--long", arguments.long_cases, "the long cases too, which take hours")->group(command.own_group);
   }
   if (command.name == std::string("run")) {
     app.add_flag("--ledger", arguments.ledger, "who did work on the bodies, and what the integrator lost; takes longer")
@@ -273,7 +283,12 @@ std::vector<std::string> option_names(const CLI::App& app) {
 /// `--json projectile` means the scene, not a file to write: a word that stands alone is the command's own word.
 void untangle_json(Arguments& arguments) {
   const std::vector<std::string>& sections = list_sections();
-  if (!arguments.name.empty() || !arguments.json || arguments.json->ends_with(".json")) return;
+  const bool named = !arguments.name.empty() || !arguments.names.empty();
+  if (named || !arguments.json || arguments.json->ends_with(".json")) return;
+  if (arguments.command == "stress" && !arguments.json->empty()) {
+    arguments.names = {std::exchange(*arguments.json, "")};
+    return;
+  }
   const bool section = std::find(sections.begin(), sections.end(), *arguments.json) != sections.end();
   if (arguments.command != "list" || section) arguments.name = std::exchange(*arguments.json, "");
 }

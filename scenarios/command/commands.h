@@ -20,6 +20,7 @@ Exit cost_of_accuracy(const Arguments& arguments);
 Exit order_of_accuracy(const Arguments& arguments);
 Exit ablate_effects(const Arguments& arguments);
 Exit prices_of_effects(const Arguments& arguments);
+Exit stress(const Arguments& arguments);
 
 /// What `list` can show, in order.
 const std::vector<std::string>& list_sections();

@@ -162,7 +162,8 @@ Description describe_scenario(const std::string& name, const std::string& path) 
   const scenes::SceneFile file = scenes::load(path);
   const RunSettings& run = file.scene.run;
   const std::string comment = leading_comment(path);
-  Page text = titled(name, "a scenario", file.scene.doc);
+  Page text =
+      titled(name, file.stress ? "a hard case" : "a scenario", file.stress ? file.stress->what : file.scene.doc);
   if (!comment.empty()) text.blank();
   add_prose(text, comment);
   std::vector<std::string> effects, expectations;
@@ -176,8 +177,8 @@ Description describe_scenario(const std::string& name, const std::string& path) 
   if (!expectations.empty()) text.heading("Expected");
   text.list(expectations);
   Json json{{"name", name},
-            {"kind", "scenario"},
-            {"doc", file.scene.doc},
+            {"kind", file.stress ? "hard case" : "scenario"},
+            {"doc", file.stress ? file.stress->what : file.scene.doc},
             {"comment", comment},
             {"file", path},
             {"bodies", body_count(file.scene)},
@@ -215,7 +216,7 @@ Description describe_scene_file() {
   for (const auto* entries : {&shapes(), &boundary_shapes(), &contacts(), &rotations(), &targets()}) {
     for (const auto& entry : *entries) names.push_back(entry.name);
   }
-  for (const auto& scenario : scenarios()) names.push_back(scenario.name);
+  for (const auto& scenario : all_scenes()) names.push_back(scenario.name);
   const std::string near = nearest(name, names);
   throw UsageError(fmt::format("nothing is named '{}'{}; `ballpark list` shows all names", name,
                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
@@ -230,7 +231,7 @@ Description description_of(const std::string& name) {
   if (const auto* contact = find(contacts(), name)) return describe_entry(*contact, "contact formulation");
   if (const auto* rotation = find(rotations(), name)) return describe_entry(*rotation, "rotation rule");
   if (const auto* target = find(targets(), name)) return describe_entry(*target, "instruction set");
-  for (const Scenario& scenario : scenarios()) {
+  for (const Scenario& scenario : all_scenes()) {
     if (scenario.name == name) return describe_scenario(name, scenario.file);
   }
   if (name.ends_with(".toml")) return describe_scenario(name, name);

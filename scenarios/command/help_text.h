@@ -209,4 +209,20 @@ inline constexpr const char* prices =
     "With a SCENE: its own effects alone, and what a step of the scene takes less\n"
     "without each of them.\n";
 
+inline constexpr const char* stress =
+    "Examples:\n"
+    "  ballpark stress\n"
+    "  ballpark stress x02_stiff_spring x13_comet --json limits.json\n"
+    "  ballpark stress my_hard_case.toml\n"
+    "\n"
+    "Each hard case is a scene file: its criterion stands in [[expect]], and [stress]\n"
+    "lists the ways to run it: integrator, contacts, precision, or any other key.\n"
+    "Owed ways must hold, and set the exit code; shown ones stand beside them,\n"
+    "whatever comes of them. Of several numbers the table has the one that decides:\n"
+    "the first that is missed, else the one nearest its limit; --json has all. Where\n"
+    "the engine must refuse a scene, or report its run, that and nothing else holds.\n"
+    "`describe NAME` tells what a case is about.\n"
+    "\n"
+    "Exit code 1: an owed way does not hold.";
+
 }  // namespace ballpark::command::help

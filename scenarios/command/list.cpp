@@ -23,17 +23,21 @@ struct Section {
 
 constexpr Column::Align wrap = Column::Align::wrap, right = Column::Align::right;
 
+std::string doc_of(const scenes::SceneFile& file) {
+  return file.stress ? file.stress->what : file.scene.doc;
+}
+
 std::string scenario_doc(const std::string& file) {
   try {
-    return scenes::load(file).scene.doc;
+    return doc_of(scenes::load(file));
   } catch (const scenes::SceneFileError& error) {
     return "(broken: " + error.problems().front().message + ")";
   }
 }
 
-Section scenario_section() {
+Section scenario_section(const std::vector<Scenario>& list) {
   Section section{{{{""}, {"", wrap}}, {}}};
-  for (const Scenario& scenario : scenarios()) {
+  for (const Scenario& scenario : list) {
     const std::string doc = scenario_doc(scenario.file);
     section.table.rows.push_back({Cell(scenario.name, Style::strong), doc});
     section.json.push_back({{"name", scenario.name}, {"doc", doc}, {"file", scenario.file}});
@@ -81,7 +85,8 @@ Section target_section() {
 }
 
 Section section_named(const std::string& name) {
-  if (name == "scenarios") return scenario_section();
+  if (name == "scenarios") return scenario_section(scenarios());
+  if (name == "stress") return scenario_section(stress_cases());
   if (name == "integrators") return integrator_section();
   if (name == "effects") return effect_section();
   if (name == "shapes") return named_section({&shapes(), &boundary_shapes()});
@@ -93,7 +98,8 @@ Section section_named(const std::string& name) {
 }  // namespace
 
 const std::vector<std::string>& list_sections() {
-  static const std::vector<std::string> names{"scenarios", "integrators", "effects", "shapes", "contacts", "targets"};
+  static const std::vector<std::string> names{"scenarios", "integrators", "effects", "shapes",
+                                              "contacts",  "targets",     "stress"};
   return names;
 }
 

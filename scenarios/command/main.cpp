@@ -31,7 +31,8 @@ Exit dispatch(const CommandLine& line) {
                                                        {"cost", cost_of_accuracy},
                                                        {"order", order_of_accuracy},
                                                        {"ablate", ablate_effects},
-                                                       {"prices", prices_of_effects}};
+                                                       {"prices", prices_of_effects},
+                                                       {"stress", stress}};
   return commands.at(line.arguments.command)(line.arguments);
 }
 

@@ -24,38 +24,66 @@ fs::path scenario_folder() {
   return fs::is_directory(installed, unknown) ? installed : fs::path(BALLPARK_SCENARIOS_FOLDER);
 }
 
-bool is_path(const std::string& scene) {
-  return scene.find('/') != std::string::npos || scene.ends_with(".toml");
+/// Is it, or is it meant to be?
+bool is_file(const std::string& scene) {
+  std::error_code unknown;
+  return scene.find('/') != std::string::npos || scene.ends_with(".toml") || fs::is_regular_file(scene, unknown);
 }
 
-}  // namespace
-
-std::vector<Scenario> scenarios() {
+std::vector<Scenario> scenes_in(const fs::path& folder, std::error_code& error) {
   std::vector<Scenario> found;
-  std::error_code error;
-  const fs::path folder = scenario_folder();
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const fs::path& file = entry.path();
     std::error_code unknown;
     if (file.extension() == ".toml" && entry.is_regular_file(unknown))
       found.push_back({file.stem().string(), file.string()});
   }
-  if (error) throw UsageError(fmt::format("no scenarios in '{}': {}", folder.string(), error.message()));
   std::sort(found.begin(), found.end(), [](const Scenario& a, const Scenario& b) { return a.name < b.name; });
   return found;
 }
 
-std::string scene_path(const std::string& scene) {
-  std::error_code unknown;
-  if (is_path(scene) || fs::is_regular_file(scene, unknown)) return scene;
+/// A file as it is named, else the scene of that name.
+std::string path_among(const std::vector<Scenario>& scenes, const std::string& name, const std::string& what,
+                       const std::string& section) {
+  if (is_file(name)) return name;
   std::vector<std::string> names;
-  for (const Scenario& scenario : scenarios()) {
-    if (scenario.name == scene) return scenario.file;
-    names.push_back(scenario.name);
+  for (const Scenario& scene : scenes) {
+    if (scene.name == name) return scene.file;
+    names.push_back(scene.name);
   }
-  const std::string near = nearest(scene, names);
-  throw UsageError(fmt::format("no scenario and no file is named '{}'{}; `ballpark list scenarios` shows all", scene,
-                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+  const std::string near = nearest(name, names);
+  throw UsageError(fmt::format("no {} and no file is named '{}'{}; `ballpark list {}` shows all", what, name,
+                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near), section));
+}
+
+}  // namespace
+
+std::vector<Scenario> scenarios() {
+  std::error_code error;
+  const fs::path folder = scenario_folder();
+  std::vector<Scenario> found = scenes_in(folder, error);
+  if (error) throw UsageError(fmt::format("no scenarios in '{}': {}", folder.string(), error.message()));
+  return found;
+}
+
+std::vector<Scenario> stress_cases() {
+  std::error_code not_there;
+  return scenes_in(scenario_folder() / "stress", not_there);
+}
+
+std::vector<Scenario> all_scenes() {
+  std::vector<Scenario> all = scenarios();
+  for (Scenario& hard : stress_cases()) all.push_back(std::move(hard));
+  return all;
+}
+
+std::string stress_path(const std::string& name) {
+  return path_among(stress_cases(), name, "hard case", "stress");
+}
+
+std::string scene_path(const std::string& scene) {
+  if (is_file(scene)) return scene;
+  return path_among(all_scenes(), scene, "scenario", "scenarios");
 }
 
 std::string leading_comment(const std::string& file) {

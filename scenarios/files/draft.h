@@ -20,7 +20,8 @@ struct Draft {
 
 /// What a table of the file fills.
 using Owner = std::variant<Draft*, RunSettings*, BodyDraft*, Generate*, Effect*, Impulse*, OutputRequest*,
-                           EventRequest*, Expectation*, Material*, MaterialPair*, Boundary*, Motion*, ContactSettings*>;
+                           EventRequest*, Expectation*, StressRequest*, StressCell*, Material*, MaterialPair*,
+                           Boundary*, Motion*, ContactSettings*>;
 
 /// A value of the file after its type was checked.
 using Parsed =

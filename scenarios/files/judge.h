@@ -13,6 +13,11 @@ Verdict judged(const Expectation& expectation, double measured, double time);
 /// For a run that ended before the expectation's time.
 Verdict not_reached(const Expectation& expectation);
 
+/// Does it take more than one run? Its quantity has a name of its own then.
+inline constexpr const char* stress_prefix = "stress.";
+bool is_compared(const Expectation& expectation);
+Verdict not_compared(const Expectation& expectation);
+
 class Judge {
  public:
   /// Throws SceneFileError if a quantity does not exist.

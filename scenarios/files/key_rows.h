@@ -94,6 +94,9 @@ struct TableRows {
 };
 std::vector<TableRows> contact_tables();
 Rows contact_top_rows();
+/// stress_keys.cpp: what makes a scene a hard case.
+std::vector<TableRows> stress_tables();
+Rows stress_top_rows();
 
 Key::Store on_draft(void (*action)(Draft&, std::string));
 

@@ -44,8 +44,7 @@ Rows top_rows() {
           "expect", tables, +[](Draft& d) { return &d.file.expectations.emplace_back(); },
           "One number of the run each and what it must be: min, max or both; or value with tolerance."),
   };
-  const Rows contact = contact_top_rows();
-  rows.insert(rows.end(), contact.begin(), contact.end());
+  for (const Rows& part : {contact_top_rows(), stress_top_rows()}) rows.insert(rows.end(), part.begin(), part.end());
   return rows;
 }
 
@@ -227,7 +226,9 @@ Rows expect_rows() {
   return {
       Row("quantity", text, "", into(&Expectation::quantity),
           "A path in the JSON of the run (energy.drift_relative, events.NAME.count, events.NAME.times.0), or "
-          "state.ID.COLUMN (state.0.x) with the columns x,y,z, vx,vy,vz, qw,qx,qy,qz, wx,wy,wz.")
+          "state.ID.COLUMN (state.0.x) with the columns x,y,z, vx,vy,vz, qw,qx,qy,qz, wx,wy,wz; in a hard case also "
+          "what "
+          "[stress] compares, stress.MEASURE.")
           .must(),
       Row("at", number, "s", into_optional(&Expectation::at), "When; at the end if left out.").in(not_negative),
       Row("min", number, "", into_optional(&Expectation::minimum), "The least it may be."),
@@ -252,7 +253,9 @@ std::vector<Key> all_keys() {
   add("output", output_rows());
   add("event", event_rows());
   add("expect", expect_rows());
-  for (const TableRows& part : contact_tables()) add(part.table, part.rows);
+  for (const auto& parts : {contact_tables(), stress_tables()}) {
+    for (const TableRows& part : parts) add(part.table, part.rows);
+  }
   return list;
 }
 

@@ -7,6 +7,7 @@
 #include "scenarios/files/findings.h"
 #include "scenarios/files/overrides.h"
 #include "scenarios/files/requests.h"
+#include "scenarios/files/stress_check.h"
 #include "scenarios/files/tables.h"
 #include "scenarios/files/whole_file.h"
 
@@ -121,6 +122,7 @@ SceneFile parse(const std::string& text, const std::string& name, const std::vec
   if (file.scene.name.empty()) file.scene.name = std::filesystem::path(name).stem().string();
   add_new(check(file.scene), findings);
   add_new(check_requests(file), findings);
+  add_new(check_stress(file), findings);
   findings.fail_if_any();
   find_step(file.scene, findings);
   findings.fail_if_any();

@@ -19,19 +19,6 @@ Json json_of(const Status& status) {
   return json;
 }
 
-Json json_of(const Verdict& verdict) {
-  const Expectation& wanted = verdict.expectation;
-  return {{"quantity", wanted.quantity},
-          {"at", verdict.time},
-          {"measured", verdict.measured},
-          {"min", or_null(wanted.minimum)},
-          {"max", or_null(wanted.maximum)},
-          {"value", or_null(wanted.value)},
-          {"tolerance", or_null(wanted.tolerance)},
-          {"met", verdict.met},
-          {"sentence", verdict.sentence}};
-}
-
 Json verdicts_of(const RunReport& report) {
   Json list = Json::array();
   for (const Verdict& verdict : report.verdicts) list.push_back(json_of(verdict));
@@ -66,6 +53,19 @@ Json json_of(const std::optional<Ledger>& ledger) {
 }
 
 }  // namespace
+
+Json json_of(const Verdict& verdict) {
+  const Expectation& wanted = verdict.expectation;
+  return {{"quantity", wanted.quantity},
+          {"at", verdict.time},
+          {"measured", verdict.measured},
+          {"min", or_null(wanted.minimum)},
+          {"max", or_null(wanted.maximum)},
+          {"value", or_null(wanted.value)},
+          {"tolerance", or_null(wanted.tolerance)},
+          {"met", verdict.met},
+          {"sentence", verdict.sentence}};
+}
 
 Json json_of(const RunReport& report) {
   const bool implicit = report.path == "implicit" || report.counters.newton_iterations > 0;

@@ -10,5 +10,6 @@ namespace ballpark::scenes {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const RunReport& report);
+Json json_of(const Verdict& verdict);
 
 }  // namespace ballpark::scenes

@@ -119,6 +119,7 @@ class Run {
       const double place = next_stop();
       if (!driver_.advance(place) || !serve_at(place)) break;
     }
+    if (hooks_.last) hooks_.last(world_);
     RunReport last = report();
     last.state_hash = fmt::format("{:016x}", world_.state_hash());
     last.verdicts = judge_.verdicts();

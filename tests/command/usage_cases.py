@@ -9,7 +9,7 @@ class Usage(CommandTest):
     def test_help_and_version(self):
         self.assertRegex(self.call("--version").stdout, r"^ballpark \d+\.\d+\.\d+\n$")
         self.assertIn("profile", self.call("--help").stdout)
-        for command in "list describe run explain check view profile cost order ablate prices".split():
+        for command in "list describe run explain check view profile cost order ablate prices stress".split():
             text = self.call(command, "--help").stdout
             self.assertRegex(text, r"Examples?:\n  ballpark " + command)
             self.assertIn("Exit codes", text)
@@ -18,7 +18,7 @@ class Usage(CommandTest):
     def test_commands_and_options_that_do_not_exist(self):
         self.refused(says="command is missing")
         self.refused("rum", self.scene, says="did you mean 'run'")
-        self.refused("stress", self.scene, says="no command 'stress'")
+        self.refused("strain", self.scene, says="no command 'strain'")
         self.refused("run", self.scene, "--thread", "2", says="did you mean --threads?")
         self.refused("run", self.scene, "--steps", "2", says="unknown option --steps")
         self.refused("run", self.scene, "another", says="one argument too many")
@@ -52,7 +52,7 @@ class Usage(CommandTest):
 class Catalogue(CommandTest):
     def test_lists(self):
         everything = self.json("list")
-        self.assertEqual(list(everything), "scenarios integrators effects shapes contacts targets".split())
+        self.assertEqual(list(everything), "scenarios integrators effects shapes contacts targets stress".split())
         for section, entries in everything.items():
             self.assertEqual(self.json("list", section), entries)
             self.assertEqual(json.loads(self.call("list", "--json", section).stdout), entries)

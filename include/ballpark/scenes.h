@@ -176,7 +176,7 @@ using FrameWriter = std::function<void(const World&)>;
 struct RunHooks {
   std::function<bool(double fraction)> progress;  ///< now and then; false interrupts
   std::vector<FrameWriter> writers;               ///< one for each of the file's outputs, in order
-  FrameWriter last;                               ///< at the end of the run, wherever that is
+  FrameWriter last = {};                          ///< at the end of the run, wherever that is
   bool ledger = false;                            ///< keep the energy ledger
 };
 

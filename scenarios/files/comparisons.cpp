@@ -210,10 +210,10 @@ class Comparison {
   const Ending& plain_;
 };
 
-/// Where an effect is. An offset from a body is no place.
+/// Where an effect is. An offset from a body is no place, nor are lengths.
 bool is_place(const ParameterInfo& info) {
   const bool vector = info.kind == ParameterKind::vector || info.kind == ParameterKind::vectors;
-  return vector && info.unit == "m" && info.name != "offset";
+  return vector && info.unit == "m" && info.name != "offset" && info.name != "size";
 }
 
 void shift_places(Effect& effect, const Vector3d& by) {

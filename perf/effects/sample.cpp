@@ -38,6 +38,10 @@ Effect sample_of(const EffectDescription& description, std::size_t bodies) {
   for (const ParameterInfo& parameter : description.parameters) {
     if (!parameter.fallback) effect.parameters[parameter.name] = small_value(parameter, bodies);
   }
+  // bodies are there, and stay
+  if (description.name == "emitter") effect.parameters["every"] = 0.0;
+  if (description.name == "absorbing_wall") effect.parameters["point"] = Vector3d(0, 0, -1e6);
+  if (description.name == "outlet") effect.parameters["point"] = Vector3d(0, 0, -1e6);
   return effect;
 }
 

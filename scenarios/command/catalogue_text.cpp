@@ -70,9 +70,9 @@ Value plausible(const ParameterInfo& parameter) {
   switch (parameter.kind) {
     case ParameterKind::number:
     case ParameterKind::numbers:
-      return std::clamp(0.1, parameter.minimum, parameter.maximum);
+      return std::clamp(parameter.unit == "s" ? 1.0 : 0.1, parameter.minimum, parameter.maximum);
     case ParameterKind::vector:
-      return Vector3d(0, 0, 1);
+      return parameter.name == "size" ? Vector3d(1, 1, 1) : Vector3d(0, 0, 1);
     case ParameterKind::vectors:
       return std::vector<Vector3d>{Vector3d(0, 0, 1)};
     case ParameterKind::pairs:

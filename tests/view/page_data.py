@@ -44,8 +44,12 @@ def run(times, positions, radius=0.0, orientations=None, columns=(), **header):
     low, high = [min(axis) for axis in flat], [max(axis) for axis in flat]
     bodies = len(positions[0])
     names = [{"name": "position", "components": 3, "bits": 16, "differences": 2}]
-    data = encoded([[[quantised(low[k], high[k], 65535, p[k]) for p in frame] for k in range(3)] for frame in positions],
-                   16, 2)
+
+    def place(p):  # the last three values are those of nobody
+        q = [quantised(low[k], high[k], 65535, p[k]) for k in range(3)]
+        return q[:2] + [65534] if q == [65535] * 3 else q
+
+    data = encoded([list(zip(*(place(p) for p in frame))) for frame in positions], 16, 2)
     if orientations:
         names.append({"name": "orientation", "components": 3, "bits": 16, "differences": 2})
         upper = [[[-v for v in q] if q[0] < 0 else q for q in frame] for frame in orientations]

@@ -83,6 +83,8 @@ void Builder::build() {
   add_pair_systems();
   add_step_effects();
   check_stability();
+  check_orbits();
+  check_resolution();
   add_blocks();
   add_implicit();
   add_events();

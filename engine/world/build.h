@@ -40,6 +40,10 @@ class Builder {
   void add_stiffness(Group& group, const std::vector<Effect>& effects);
   void check_stability();
   void check_stability(const std::string& whose, const Stiffness& per_mass);
+  // start_limits.cpp
+  void check_orbits();
+  void check_resolution();
+  // build.cpp
   void add_carry(Group& group);
   void choose_method();
   void add_rates(Group& group);

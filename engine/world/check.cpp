@@ -96,7 +96,7 @@ void check_run(const RunSettings& run, Problems& problems) {
   for (const NamedDescription& rule : rotations()) rules.push_back(rule.name);
   problems.known("run.rotation", "rotation update", run.rotation, rules);
   for (std::size_t i = 0; i < run.accept.size(); ++i) {
-    problems.known(path_of("run.accept", i), "limit", run.accept[i], {"stability"});
+    problems.known(path_of("run.accept", i), "limit", run.accept[i], {"stability", "accuracy"});
   }
 }
 

@@ -18,9 +18,14 @@ struct Ending {
 };
 Ending ending_of(const World& world);
 
-/// Each MEASURE that stress.compare asks for. `plain`: the scene's own run. Throws SceneError where the scene cannot be
-/// run so.
-std::map<std::string, double> compared(const SceneFile& file, const Options& options, const Ending& plain);
+/// What comparing found: each MEASURE that stress.compare asks for, and what a run of another scene than the file's own
+/// reported ("": nothing).
+struct Compared {
+  std::map<std::string, double> measures;
+  std::string said;
+};
+/// `plain`: the scene's own run. Throws SceneError where the scene cannot be run so.
+Compared compared(const SceneFile& file, const Options& options, const Ending& plain);
 
 /// The same scene elsewhere: bodies, boundaries and the places of effects.
 Scene shifted(Scene scene, const Vector3d& by);

@@ -157,9 +157,10 @@ void StressCase::run(const SceneFile& file, const Options& options, const RunHoo
   result.interrupted = report.interrupted;
   if (!accepts(file.scene, report.status.code)) result.said = report.status.sentence;
   result.verdicts = report.verdicts;
-  const bool counts = result.refused.empty() && (result.said.empty() || !result.reported.empty());
-  if (report.interrupted || !counts) return;
-  result.measures = compared(file, options, ending);
+  if (report.interrupted || (!result.said.empty() && result.reported.empty())) return;
+  const Compared found = compared(file, options, ending);
+  result.measures = found.measures;
+  if (result.said.empty()) result.said = found.said;
   judge_comparisons(result, report.time);
 }
 

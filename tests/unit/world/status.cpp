@@ -1,4 +1,7 @@
 // What goes wrong in a run is said, and hurts nobody else.
+#include <cmath>
+#include <limits>
+
 #include "tests/catch.h"
 #include "tests/determinism/body_bits.h"
 #include "tests/unit/world/made_scenes.h"
@@ -81,7 +84,7 @@ TEST_CASE("Status: large numbers whose sum overflows are still finite", "[status
   scene.bodies[0].position = {{1.5e308, 1.5e308, 1.5e308}};
   World world(scene);
   world.step(2);
-  CHECK(world.status().code == Status::Code::ok);
+  CHECK(world.status().code == Status::Code::accuracy);  // too far out for its speed, and that is all
 }
 
 TEST_CASE("Status: the hash of a state that is not finite is the same for all targets and paths", "[status]") {
@@ -151,6 +154,68 @@ TEST_CASE("Status: the lightest body sets the limit, damping has one too", "[sta
   CHECK(World(drag).status().code == Status::Code::ok);
   drag.run.step = 0.0101;
   CHECK(World(drag).status().code == Status::Code::stability);
+}
+
+TEST_CASE("Status: a step too long for the nearest point of an orbit is reported before the run", "[status]") {
+  Scene scene = scene_of({particles("p", 1)}, {effect("central_gravity", {{"strength", 1.0}})});
+  scene.bodies[0].position = {{1.999, 0, 0}};  // apocentre of e = 0.999, a = 1
+  scene.bodies[0].velocity = {{0, std::sqrt(0.001 / 1.999), 0}};
+  const double swing = std::pow(0.001, 1.5);  // sqrt(r^3 / mu) at the pericentre, 0.001
+  const auto status = [&](const std::string& integrator, double step, double duration) {
+    scene.run.integrator = integrator, scene.run.step = step, scene.run.duration = duration;
+    return World(scene).status();
+  };
+  for (const std::string integrator : {"rk4", "velocity_verlet"}) {
+    const double limit = limit_of(integrator) * swing;
+    CAPTURE(integrator, limit);
+    CHECK(status(integrator, 0.99 * limit, 4).code == Status::Code::ok);
+    CHECK(status(integrator, 1.01 * limit, 4).code == Status::Code::stability);
+    CHECK(status(integrator, 1.01 * limit, 3.1).code == Status::Code::ok);  // half a turn takes pi
+  }
+  CHECK(status("euler", 1.01 * swing, 4).code == Status::Code::stability);
+  CHECK(contains(status("rk4", 1e-3, 4).sentence, "at the nearest point of an orbit, at 0.001 m"));
+  scene.effects[0].parameters["softening"] = 0.5;
+  CHECK(status("rk4", 1e-3, 4).code == Status::Code::ok);
+  scene.effects = {effect("mutual_gravity", {{"strength", 0.25}})};
+  scene.bodies[0].mass = {1, 3};
+  scene.bodies[0].position = {{-0.75 * 1.999, 0, 0}, {0.25 * 1.999, 0, 0}};
+  const double v = std::sqrt(0.001 / 1.999);
+  scene.bodies[0].velocity = {{0, -0.75 * v, 0}, {0, 0.25 * v, 0}};
+  const double limit = limit_of("rk4") * swing;
+  CHECK(status("rk4", 0.99 * limit, 4).code == Status::Code::ok);
+  CHECK(status("rk4", 1.01 * limit, 4).code == Status::Code::stability);
+}
+
+TEST_CASE("Status: what flies by without a turn needs no short step", "[status]") {
+  Scene scene = scene_of({particles("p", 1)}, {effect("central_gravity", {{"strength", 1e-6}})});
+  scene.bodies[0].position = {{-1, 1e-3, 0}};
+  scene.bodies[0].velocity = {{1, 0, 0}};
+  scene.run.step = 0.1, scene.run.duration = 2;
+  CHECK(World(scene).status().code == Status::Code::ok);
+  scene.effects[0].parameters["strength"] = 1.0;
+  CHECK(World(scene).status().code == Status::Code::stability);
+  scene.bodies[0].velocity = {{-1, 0, 0}};  // outward, to turn round far away
+  scene.run.duration = 0.1;
+  CHECK(World(scene).status().code == Status::Code::ok);
+}
+
+TEST_CASE("Status: a scene too far from the origin for its precision is reported", "[status]") {
+  const auto code = [](double x, double apart, Precision precision) {
+    Scene scene = scene_of({particles("p", 2)});
+    scene.bodies[0].position = {{x, 0, 0}, {x + apart, 0, 0}};
+    scene.bodies[0].velocity = {{0, 0, 0}};
+    return World(scene, {.precision = precision}).status().code;
+  };
+  const double narrow = std::sqrt(std::numeric_limits<double>::epsilon()), wide = 1 / narrow;  // 2^-26
+  CHECK(code(wide, 1.01, Precision::double_) == Status::Code::ok);
+  CHECK(code(2 * wide, 1, Precision::double_) == Status::Code::accuracy);
+  CHECK(code(-2 * wide, 1, Precision::double_) == Status::Code::accuracy);
+  CHECK(code(2 * wide, 2.01, Precision::double_) == Status::Code::ok);
+  CHECK(code(1e6, 1, Precision::double_) == Status::Code::ok);
+  CHECK(code(1e6, 1, Precision::single_) == Status::Code::accuracy);
+  CHECK(code(1e9, 1, Precision::double_) == Status::Code::accuracy);
+  CHECK(code(1e9, 1, Precision::extended) == Status::Code::ok);
+  CHECK(code(0, 1, Precision::single_) == Status::Code::ok);
 }
 
 TEST_CASE("Status: an accepted limit is still reported, and the run goes on", "[status]") {

@@ -40,10 +40,6 @@ class Builder {
   void add_stiffness(Group& group, const std::vector<Effect>& effects);
   void check_stability();
   void check_stability(const std::string& whose, const Stiffness& per_mass);
-  // start_limits.cpp
-  void check_orbits();
-  void check_resolution();
-  // build.cpp
   void add_carry(Group& group);
   void choose_method();
   void add_rates(Group& group);
@@ -70,6 +66,9 @@ class Builder {
   void add_walls(const std::vector<std::string>& materials);
   void add_slots(const std::vector<std::string>& materials);
   void choose_path();
+  // start_limits.cpp
+  void check_orbits();
+  void check_resolution();
 
   /// A constant of the group: a value if it is equal for all bodies, else a column.
   template <int n, class F>

@@ -15,16 +15,11 @@ Vector3d in_double(const Vector3<Wide>& a) {
   return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
 }
 
-template <class T>
-T parameter(const Effect& effect, const char* key, const T& fallback) {
-  const auto found = effect.parameters.find(key);
-  return found == effect.parameters.end() ? fallback : std::get<T>(found->second);
-}
-
-/// r and v of one body about what attracts it by mu / r^2.
+/// r and v of one body about what attracts it by mu / r^2; softened or not, it comes about as near.
 struct Orbit {
+  std::size_t id = 0;
   Vector3d place, velocity;
-  double mu = 0;
+  double mu = 0, softening = 0;
 
   double distance() const { return place.norm(); }
   double energy() const { return velocity.squaredNorm() / 2 - mu / distance(); }
@@ -52,15 +47,15 @@ struct Orbit {
     if (energy() >= 0 && (pericentre() == 0 || eccentricity() > hardly_turns)) return distance();
     return time_to_pericentre() <= duration ? std::min(distance(), pericentre()) : distance();
   }
+  /// Of the swing about a circle at this distance [1/s].
+  double swing_rate(double at) const {
+    const double square = at * at + softening * softening;
+    return std::sqrt(mu / (square * std::sqrt(square)));
+  }
 };
 
-/// Of the swing about a circle at this distance [1/s].
-double swing_rate(double mu, double distance, double softening) {
-  const double square = distance * distance + softening * softening;
-  return std::sqrt(mu / (square * std::sqrt(square)));
-}
-
 struct StartingBody {
+  std::size_t id;
   double mass;
   Vector3d place, velocity;
 };
@@ -68,12 +63,14 @@ struct StartingBody {
 /// Bodies of the first copy that the effect acts on, in the order of ids.
 std::vector<StartingBody> starts(const Scene& scene, const Effect& effect, double perturb) {
   std::vector<StartingBody> all;
+  std::size_t first = 0;
   for (std::size_t g = 0; g < scene.bodies.size(); ++g) {
-    const std::size_t count = acts_on(effect, scene.bodies[g]) ? body_count(scene.bodies[g]) : 0;
-    for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t count = body_count(scene.bodies[g]), acted_on = acts_on(effect, scene.bodies[g]) ? count : 0;
+    for (std::size_t i = 0; i < acted_on; ++i) {
       const Start start = start_of(scene, g, i, scene.run.seed, perturb);
-      all.push_back({mass_of(scene.bodies[g], i), in_double(start.position), in_double(start.velocity)});
+      all.push_back({first + i, mass_of(scene.bodies[g], i), in_double(start.position), in_double(start.velocity)});
     }
+    first += count;
   }
   return all;
 }
@@ -82,29 +79,45 @@ std::vector<StartingBody> starts(const Scene& scene, const Effect& effect, doubl
 std::vector<Orbit> orbits(const Scene& scene, const Effect& effect, double perturb) {
   const bool central = effect.kind == "central_gravity";
   if (!central && effect.kind != "mutual_gravity") return {};
-  const double strength = std::get<double>(complete_parameters(effect, *find_effect(effect.kind)).at("strength"));
+  const auto parameters = complete_parameters(effect, *find_effect(effect.kind));
+  const double strength = std::get<double>(parameters.at("strength"));
+  const double softening = std::get<double>(parameters.at("softening"));
   if (!(strength > 0)) return {};
   std::vector<Orbit> all;
   const std::vector<StartingBody> bodies = starts(scene, effect, perturb);
   if (central) {
-    const auto centre = parameter(effect, "centre", Vector3d(0, 0, 0));
-    for (const StartingBody& body : bodies) all.push_back({body.place - centre, body.velocity, strength});
+    const auto centre = std::get<Vector3d>(parameters.at("centre"));
+    for (const StartingBody& body : bodies) {
+      all.push_back({body.id, body.place - centre, body.velocity, strength, softening});
+    }
   } else if (bodies.size() == 2) {
     const StartingBody &a = bodies[0], &b = bodies[1];
-    all.push_back({b.place - a.place, b.velocity - a.velocity, strength * (a.mass + b.mass)});
+    all.push_back({a.id, b.place - a.place, b.velocity - a.velocity, strength * (a.mass + b.mass), softening});
   }
   return all;
 }
 
-/// Farthest coordinate of what a scene consists of at its start, and its width: how far apart its bodies are, how large
-/// they are, how far they fly in the run.
+/// Farthest coordinate of the bodies at their start, and the width of the scene: how far apart bodies, boundaries and
+/// places of effects are, how large bodies are, how far they fly and fall in the run.
 struct Extent {
   Vector3d lower = Vector3d::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
   double largest = 0, farthest = 0;
 
-  void add(const Vector3d& place, double size) {
-    lower = lower.cwiseMin(place), upper = upper.cwiseMax(place);
+  void add_place(const Vector3d& place) { lower = lower.cwiseMin(place), upper = upper.cwiseMax(place); }
+  void add_body(const Vector3d& place, double size) {
+    add_place(place);
     largest = std::max(largest, size), farthest = std::max(farthest, place.cwiseAbs().maxCoeff());
+  }
+  /// Places and accelerations among its parameters, whatever they are called.
+  void add_effect(const Effect& effect, double duration) {
+    const EffectDescription& description = *find_effect(effect.kind);
+    const auto parameters = complete_parameters(effect, description);
+    for (const ParameterInfo& info : description.parameters) {
+      if (info.kind != ParameterKind::vector || !parameters.contains(info.name)) continue;
+      const Vector3d& value = std::get<Vector3d>(parameters.at(info.name));
+      if (info.unit == "m" && info.name != "offset" && info.name != "size") add_place(value);
+      if (info.unit == "m/s^2") largest = std::max(largest, value.norm() * duration * duration / 2);
+    }
   }
   double width() const { return farthest > 0 ? std::max(largest, (upper - lower).maxCoeff()) : 0; }
 };
@@ -116,21 +129,23 @@ struct Extent {
 void Builder::check_orbits() {
   if (world_.adaptive_ || world_.status_.code != Status::Code::ok) return;
   double rate = 0, near = 0;
+  std::size_t id = 0;
   for (const Effect& effect : scene_.effects) {
-    const double softening = parameter(effect, "softening", 0.0);
     for (const Orbit& orbit : orbits(scene_, effect, options_.perturb)) {
       if (!(orbit.place.norm() > 0)) continue;
-      const double distance = orbit.nearest(scene_.run.duration), its = swing_rate(orbit.mu, distance, softening);
-      if (its > rate) rate = its, near = distance;
+      const double distance = orbit.nearest(scene_.run.duration), its = orbit.swing_rate(distance);
+      if (its > rate) rate = its, near = distance, id = orbit.id;
     }
   }
   if (rate == 0) return;
   const double stable = world_.limit_of({.spring = rate * rate}).largest, resolved = std::numbers::pi / rate;
   const double limit = stable > 0 ? std::min(stable, resolved) : 1 / rate;
   if (world_.step_ <= limit) return;
-  world_.status_ = {Status::Code::stability, "a step of " + text(world_.step_) + " s exceeds " + text(limit) +
-                                                 " s, what " + world_.row_->name +
-                                                 " needs at the nearest point of an orbit, at " + text(near) + " m"};
+  world_.status_ = {Status::Code::stability,
+                    "a step of " + text(world_.step_) + " s exceeds " + text(limit) + " s, what " + world_.row_->name +
+                        " needs at the nearest point of the orbit of body " + std::to_string(id) + ", at " +
+                        text(near) + " m",
+                    id};
 }
 
 /// Far from the origin coordinates are coarse: they must resolve the scene to at least half of the precision's digits.
@@ -147,9 +162,11 @@ void Builder::check_resolution() {
                         static_cast<double>(columns[2][row]));
       };
       const double radius = row_or(body.radius, group.copies.index_of(row), 0.0);
-      extent.add(at(state.position), std::max(2 * radius, at(state.velocity).norm() * scene_.run.duration));
+      extent.add_body(at(state.position), std::max(2 * radius, at(state.velocity).norm() * scene_.run.duration));
     }
   }
+  for (const Boundary& boundary : scene_.boundaries) extent.add_place(boundary.point);
+  for (const Effect& effect : scene_.effects) extent.add_effect(effect, scene_.run.duration);
   const double epsilon = static_cast<double>(std::numeric_limits<Real>::epsilon());
   const double spacing = std::exp2(std::floor(std::log2(extent.farthest))) * epsilon;
   if (!(extent.width() > 0) || !(spacing > std::sqrt(epsilon) * extent.width())) return;

@@ -153,8 +153,7 @@ struct RunSettings {
   double absolute_tolerance = 0;   ///< beside which, where those are small [m, m/s, rad/s, rad]; 0: as `tolerance`
   std::string integrator = "rk4";  ///< a name of `integrators()`
   std::string rotation = "renormalise";  ///< how orientations follow from spins: a name of `rotations()`
-  std::vector<std::string> accept = {};  ///< of "stability", "accuracy": limits that may be exceeded; it
-                                         ///< is still reported
+  std::vector<std::string> accept = {};  ///< limits that may be exceeded: "stability", "accuracy"; still reported
   bool compensated = false;  ///< compensated summation of the state: long runs lose less to rounding, for a column more
   Precision precision = Precision::double_;
   std::uint64_t seed = 1;

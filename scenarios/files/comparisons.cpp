@@ -55,24 +55,23 @@ class Comparison {
       : file_(file), scene_(file.scene), options_(options), plain_(plain) {}
 
   /// Of all runs that one quantity compares, the worst.
-  double measured(const std::string& name) {
-    static const std::map<std::string, double (*)(Comparison&)> ways{
-        {"repeat", [](Comparison& c) { return c.repeat(); }},
-        {"threads", [](Comparison& c) { return c.threads(); }},
-        {"targets", [](Comparison& c) { return c.targets_of_machine(); }},
-        {"resume", [](Comparison& c) { return c.resume(); }},
-        {"frame_pattern", [](Comparison& c) { return c.frame_pattern(); }},
-        {"shift", [](Comparison& c) { return c.shift(); }},
-        {"with_fault", [](Comparison& c) { return c.with_fault(); }},
-        {"brute_force", [](Comparison& c) { return c.brute_force(); }},
-        {"mirror", [](Comparison& c) { return c.mirror(); }},
-        {"start", [](Comparison& c) { return c.start(); }},
-        {"unit", [](Comparison& c) { return c.unit(); }},
+  double measured(const std::string& name) const {
+    static const std::map<std::string, double (Comparison::*)() const> ways{
+        {"repeat", &Comparison::repeat},
+        {"threads", &Comparison::threads},
+        {"targets", &Comparison::targets_of_machine},
+        {"resume", &Comparison::resume},
+        {"frame_pattern", &Comparison::frame_pattern},
+        {"shift", &Comparison::shift},
+        {"with_fault", &Comparison::with_fault},
+        {"brute_force", &Comparison::brute_force},
+        {"mirror", &Comparison::mirror},
+        {"start", &Comparison::start},
+        {"unit", &Comparison::unit},
     };
-    return ways.at(name)(*this);
+    return (this->*ways.at(name))();
   }
-  /// By a run of another scene.
-  const std::string& said() const { return said_; }
+  const Status& status_of_shifted() const { return status_of_shifted_; }
 
  private:
   double as_plain(const World& world) const { return world.state_hash() == plain_.hash ? 1 : 0; }
@@ -126,11 +125,11 @@ class Comparison {
     return as_plain(world);
   }
 
-  double shift() {
+  double shift() const {
     World world(shifted(scene_, file_.stress->shift), options_);
     walk(world, scene_.run, scene_.run.duration);
     const Ending moved = ending_of(world);
-    said_ = world.status().code == Status::Code::ok ? "" : world.status().sentence;
+    status_of_shifted_ = world.status();
     return largest(plain_.bodies, [&](std::size_t id) {
       return position_difference(plain_.bodies[id], moved.bodies[id], file_.stress->shift);
     });
@@ -211,7 +210,7 @@ class Comparison {
   const Scene& scene_;
   const Options& options_;
   const Ending& plain_;
-  std::string said_;
+  mutable Status status_of_shifted_;
 };
 
 /// Where an effect is. An offset from a body is no place, nor are lengths.
@@ -260,7 +259,7 @@ Scene shifted(Scene scene, const Vector3d& by) {
 }
 
 Compared compared(const SceneFile& file, const Options& options, const Ending& plain) {
-  Comparison comparison(file, options, plain);
+  const Comparison comparison(file, options, plain);
   Compared found;
   for (const ComparisonInfo& info : comparisons()) {
     const auto& wanted = file.stress->compare;
@@ -269,7 +268,7 @@ Compared compared(const SceneFile& file, const Options& options, const Ending& p
     const auto [known, first] = found.measures.try_emplace(info.measure, measured);
     if (!first) known->second = std::min(known->second, measured);  // hashes: one that differs is enough
   }
-  found.said = comparison.said();
+  found.shifted = comparison.status_of_shifted();
   return found;
 }
 

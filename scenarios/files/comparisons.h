@@ -18,11 +18,10 @@ struct Ending {
 };
 Ending ending_of(const World& world);
 
-/// What comparing found: each MEASURE that stress.compare asks for, and what a run of another scene than the file's own
-/// reported ("": nothing).
+/// What comparing found: each MEASURE that stress.compare asks for, and how the shifted scene's run ended.
 struct Compared {
   std::map<std::string, double> measures;
-  std::string said;
+  Status shifted;
 };
 /// `plain`: the scene's own run. Throws SceneError where the scene cannot be run so.
 Compared compared(const SceneFile& file, const Options& options, const Ending& plain);

@@ -173,7 +173,10 @@ TEST_CASE("Status: a step too long for the nearest point of an orbit is reported
     CHECK(status(integrator, 1.01 * limit, 3.1).code == Status::Code::ok);  // half a turn takes pi
   }
   CHECK(status("euler", 1.01 * swing, 4).code == Status::Code::stability);
-  CHECK(contains(status("rk4", 1e-3, 4).sentence, "at the nearest point of an orbit, at 0.001 m"));
+  CHECK(contains(status("rk4", 1e-3, 4).sentence, "at the nearest point of the orbit of body 0, at 0.001 m"));
+  scene.bodies[0].position.insert(scene.bodies[0].position.begin(), {1, 0, 0});
+  scene.bodies[0].velocity.insert(scene.bodies[0].velocity.begin(), {0, 1, 0});
+  CHECK(status("rk4", 1e-3, 4).body == 1);
   scene.effects[0].parameters["softening"] = 0.5;
   CHECK(status("rk4", 1e-3, 4).code == Status::Code::ok);
   scene.effects = {effect("mutual_gravity", {{"strength", 0.25}})};
@@ -216,6 +219,25 @@ TEST_CASE("Status: a scene too far from the origin for its precision is reported
   CHECK(code(1e9, 1, Precision::double_) == Status::Code::accuracy);
   CHECK(code(1e9, 1, Precision::extended) == Status::Code::ok);
   CHECK(code(0, 1, Precision::single_) == Status::Code::ok);
+}
+
+TEST_CASE("Status: how far a body falls, and from what, counts into the width of its scene", "[status]") {
+  Scene bead = scene_of({balls("b", 1)});
+  bead.bodies[0].radius = {1e-3};
+  bead.bodies[0].position = {{0, 0, 10}};
+  bead.bodies[0].velocity = {{0, 0, 0}};
+  bead.run.duration = 1;
+  const auto code = [](const Scene& scene) { return World(scene, {.precision = Precision::single_}).status().code; };
+  CHECK(code(bead) == Status::Code::accuracy);  // it hangs there: 2 mm wide, 10 m from the origin
+  Scene falls = bead, above = bead, pulled = bead;
+  falls.effects = {effect("gravity")};
+  above.boundaries.resize(1);
+  above.boundaries[0].shape = "plane";
+  above.contact.kind = "impulse";
+  pulled.effects = {effect("central_gravity", {{"strength", 1.0}})};
+  CHECK(code(falls) == Status::Code::ok);
+  CHECK(code(above) == Status::Code::ok);
+  CHECK(code(pulled) == Status::Code::ok);
 }
 
 TEST_CASE("Status: an accepted limit is still reported, and the run goes on", "[status]") {
